@@ -1,0 +1,101 @@
+/* nook.h -- triangle meshes in a fixed corner of memory. Include this one header.
+ *
+ * CONVENTIONS, once for all rooms
+ *
+ * Words. A mesh has T triangles (t), V vertices (v) and C = 3T corners (c). nt, nv are how many;
+ * name[n] in a comment is an array of n entries. An edge is named by a corner that faces it.
+ * The tables are those of Rossignac's corner table: core/nook_mesh.h draws them.
+ *
+ * Memory. There is no allocation, hence nothing to close. Every array is the caller's, and every
+ * size is a macro that stands in a declaration. State structs belong to the caller; nothing is kept
+ * between calls anywhere else, so any function may run in any task, on any data that no other task
+ * is writing. There are no mutable statics.
+ *
+ * Indices. Stored as nook_index (16 or 32 bits, NOOK_INDEX_BITS); passed as uint32_t. NOOK_NONE means
+ * no element, NOOK_UNKNOWN a count that cannot be told.
+ *
+ * Status. Functions that can fail return a nook_status; NOOK_OK is 0. A status about an element comes
+ * with a nook_where. Data can never break an assertion; NOOK_REQUIRE is for mistakes of the program.
+ *
+ * Steps. Whatever takes longer than a look around one vertex comes in three forms:
+ *     nook_X_begin(&state, ...)      checks the arguments, touches nothing large
+ *     nook_X_step(&state, &units)    works until done or until units is 0: NOOK_OK when done,
+ *                                    NOOK_MORE to be called again, else an error; what is left of
+ *                                    units can be handed to the next call
+ *     nook_X(...)                    both in a loop
+ * Each header says what a unit is and the most instructions it costs. States are at most 256
+ * bytes. Nothing recurses; `make stack` prints the worst stack of every function.
+ *
+ * Numbers. float32 only; the same bits on every core (build with -ffp-contract=off and without
+ * -ffast-math). Coordinates are in any unit, finite, at most 2^30.
+ *
+ *     static NOOK_MESH_ARRAYS(1500, 500) link3;           500 triangles, as STL gives them
+ *     static uint8_t Mt[NOOK_MT_BYTES(500)], Mv[NOOK_MV_BYTES(1500)];
+ *
+ * README.md has a whole example. */
+#ifndef NOOK_H
+#define NOOK_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* core: the words */
+#include "core/nook_config.h" /* settings, versions, index width */
+#include "core/nook_status.h" /* every status and where it is */
+#include "core/nook_mesh.h"   /* the tables, view and mesh, digest */
+#include "core/nook_corner.h" /* t v n p o l r s b g, nvat, ntav */
+#include "core/nook_marks.h"  /* Mt and Mv */
+#include "core/nook_vector.h" /* vectors, square root, sums */
+
+/* table: from bytes to a checked mesh */
+#include "table/nook_number.h" /* decimal text to float */
+#include "table/nook_stl.h"    /* STL in chunks */
+#include "table/nook_weld.h"   /* equal vertices become one */
+#include "table/nook_link.h"   /* O and C from V */
+#include "table/nook_survey.h" /* components, fans, loops */
+#include "table/nook_check.h"  /* sound or not, and where */
+
+#ifdef __cplusplus
+}
+#endif
+
+/* INDEX OF TERMS (the seeds' words, and where they stand)
+ *
+ * adjacent triangles      nook_opposite, nook_ntav
+ * area                    nook_check_result.area
+ * border, border edge     nook_is_border; NOOK_BORDER_EDGE
+ * bow-tie                 NOOK_NONMANIFOLD_VERTEX
+ * clean                   nook_check_result.clean
+ * component               nook_survey.components, nook_shells
+ * corner, corner table    nook_view: V, O
+ * duplicate               NOOK_DUPLICATE_TRIANGLE
+ * edge-connected          nook_survey
+ * edge-manifold           nook_check_result.edge_manifold
+ * Euler number            nook_check_result.euler
+ * even                    nook_check_result.even (the seed's weaker "watertight")
+ * fan                     nook_survey.fans
+ * genus, handles          nook_shell_genus
+ * hole, border loop       nook_survey.border_loops
+ * incidence table         nook_view.V
+ * isolated vertex (hair)  NOOK_ISOLATED_VERTEX
+ * l, left                 nook_left
+ * manifold                nook_check_result.manifold
+ * marks Mt, Mv            nook_marks
+ * n, next                 nook_next
+ * ntav, nvat              nook_ntav, nook_nvat
+ * o, opposite             nook_opposite; computed by nook_link
+ * orientable              nook_survey.orientable
+ * oriented                nook_check_result.oriented
+ * p, previous             nook_prev
+ * r, right                nook_right
+ * s, swing                nook_swing
+ * shell                   nook_shell
+ * simple mesh             nook_check_result.simple
+ * soup                    nook_mesh_append, nook_weld
+ * t, triangle             nook_triangle
+ * v, vertex               nook_vertex
+ * watertight              nook_check_result.watertight
+ */
+
+#endif

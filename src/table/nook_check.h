@@ -1,0 +1,86 @@
+/* nook_check.h -- is this mesh sound, and if not, where? Over const tables, at boot or at any time.
+ *
+ * Everything is checked before it is used: indices, then coordinates, then O, then what the
+ * triangles form together, then areas and volume. A pass whose ground is broken is left out and its
+ * answers are unknown. Nothing is repaired and nothing but *result, the marks and the shells is written. */
+#ifndef NOOK_CHECK_H
+#define NOOK_CHECK_H
+
+#include "core/nook_vector.h"
+#include "table/nook_link.h"
+
+typedef struct nook_check_result {
+    /* Tables. With any of the first three, what follows that needs them is unknown. */
+    uint32_t bad_indices;     /* corners whose V is out of range */
+    uint32_t bad_opposites;   /* corners whose O is out of range, not mutual, or faces another edge */
+    uint32_t bad_corners;     /* vertices whose C is not one of their corners, or hides that they have one */
+    uint32_t bad_coordinates; /* vertices not finite or beyond 2^30 */
+    uint32_t repeated_vertex_triangles;
+    uint32_t isolated_vertices;
+
+    uint32_t vertices, triangles; /* as in the view */
+    /* From link's report; NOOK_UNKNOWN without it. */
+    uint32_t edges, border_edges, matched_edges, incoherent_edges, nonmanifold_edges, duplicate_triangles;
+    /* What the triangles form. */
+    nook_survey survey;
+    int32_t euler; /* referenced vertices - edges + triangles; only when edges is known */
+    bool euler_known;
+
+    nook_truth edge_manifold; /* no edge with more than two triangles */
+    nook_truth manifold;      /* that, at least one triangle, and every vertex a single fan */
+    nook_truth even;          /* every edge has an even number of triangles */
+    nook_truth watertight;    /* at least one triangle, and every edge has exactly two */
+    nook_truth oriented;      /* no incoherent edge */
+    nook_truth clean;         /* no isolated vertex, no triangle with a repeated vertex */
+    nook_truth simple;        /* one shell of genus 0: watertight, manifold, orientable */
+    nook_truth inside_out;    /* signed volume < 0; NOOK_MAYBE unless watertight and oriented */
+
+    /* Geometry; only with geometry_known. The box covers the vertices of triangles. */
+    bool geometry_known;
+    float area;
+    float signed_volume; /* about the centre of the box; a volume only if watertight and oriented */
+    nook_point box_min, box_max;
+} nook_check_result;
+
+typedef struct nook_check_state {
+    nook_view view;
+    nook_marks marks;
+    const nook_report *report;
+    nook_shells *shells;
+    const nook_finder *finder;
+    nook_check_result *result;
+    uint32_t phase, at;
+    union {
+        nook_survey_state survey;
+        struct {
+            nook_sum area, volume;
+            nook_point centre;
+            float scale;
+        } measure;
+    } in;
+} nook_check_state;
+
+/* Check a view.
+ *   marks   for nt triangles and nv vertices
+ *   report  what link said of this mesh, or null: then what O alone cannot tell is unknown
+ *   shells  each component described, signed volumes included; the same struct that was given to
+ *           link; may be null
+ *   finder  told of every defect and its element; may be null
+ *   NOOK_NULL_ARGUMENT, NOOK_NO_CAPACITY (marks too small, or report of another triangle count)
+ * A defect is not an error of the call: step returns NOOK_OK when the check is finished, and
+ * nook_is_sound() gives the verdict. Every table may hold any bits: no access leaves the arrays and
+ * the bound on steps holds.
+ * Steps: 8 nt + 2 nv visits plus the survey's; one unit is one visit, at most 600 instructions on
+ * M4F (a triangle's area, a correctly rounded root and two compensated sums). */
+nook_status nook_check_begin(nook_check_state *state, const nook_view *view, const nook_marks *marks,
+                             const nook_report *report, nook_shells *shells, const nook_finder *finder,
+                             nook_check_result *result);
+nook_status nook_check_step(nook_check_state *state, uint32_t *units);
+nook_status nook_check(const nook_view *view, const nook_marks *marks, const nook_report *report,
+                       nook_shells *shells, const nook_finder *finder, nook_check_result *result);
+
+/* The verdict: tables whole, manifold, watertight, oriented, not inside out, no duplicate and no
+ * repeated vertex. Unknown counts as no. */
+bool nook_is_sound(const nook_check_result *result);
+
+#endif
