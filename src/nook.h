@@ -36,6 +36,11 @@
 #ifndef NOOK_H
 #define NOOK_H
 
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -19,7 +19,7 @@
 #define NOOK_VERSION_PATCH 0
 #define NOOK_VERSION_TEXT "0.1.0"
 
-/* 16: at most 21,845 triangles, 12 bytes of tables each. 32: as many as memory holds, 24 bytes. */
+/* 16: at most 21,845 triangles, 12 bytes of tables each. 32: up to 357,913,941, 24 bytes. */
 #ifndef NOOK_INDEX_BITS
 #define NOOK_INDEX_BITS 16
 #endif
@@ -39,8 +39,8 @@ typedef uint16_t nook_index;
 #define NOOK_WIDTH_GUARD(name) name##_for_16_bit_indices
 #elif NOOK_INDEX_BITS == 32
 typedef uint32_t nook_index;
-#define NOOK_MAX_TRIANGLES 1431655765u
-#define NOOK_MAX_VERTICES 4294967295u
+#define NOOK_MAX_TRIANGLES 357913941u /* 3T < 2^30, so that bounds on steps fit 32 bits */
+#define NOOK_MAX_VERTICES 1073741823u
 #define NOOK_WIDTH_GUARD(name) name##_for_32_bit_indices
 #else
 #error "NOOK_INDEX_BITS must be 16 or 32"

@@ -78,14 +78,13 @@ static inline bool nook_is_border(const nook_view *m, uint32_t c)
     return m->O[c] == c;
 }
 
-/* l(c): the corner opposite to p(c), across the edge on the left of v(c) as one looks from v(c)
- * at the edge that c faces... seen in the drawing above; p(c) itself at a border. */
+/* l(c): the corner opposite to p(c), across the edge from v(c) to v(n(c)); p(c) itself at a border. */
 static inline uint32_t nook_left(const nook_view *m, uint32_t c)
 {
     return m->O[nook_prev(c)];
 }
 
-/* r(c): the corner opposite to n(c); n(c) itself at a border. */
+/* r(c): the corner opposite to n(c), across the edge from v(c) to v(p(c)); n(c) itself at a border. */
 static inline uint32_t nook_right(const nook_view *m, uint32_t c)
 {
     return m->O[nook_next(c)];
@@ -96,11 +95,11 @@ static inline uint32_t nook_right(const nook_view *m, uint32_t c)
  * border: s is then a permutation of all corners, whose orbits are the stars of interior vertices
  * and one orbit for each border loop. To visit a star, test for the border first.
  *
- *      v(n(c)) ______ v(p(c))
- *             |\    /
- *             | \  /
- *       left  |s \/ c
- *     triangle|__/v(c)           s(c) = p(l(c)) */
+ *        v(n(c)) _____ v(p(c))
+ *              /\     /
+ *             /  \ t /
+ *       l(c) /    \c/
+ *           /_____s\v(c)           s(c) = p(l(c)) */
 static inline uint32_t nook_swing(const nook_view *m, uint32_t c)
 {
     return nook_prev(nook_left(m, c));

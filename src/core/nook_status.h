@@ -27,7 +27,7 @@ typedef enum nook_status {
     /* Defects of a mesh. Edges are named by a corner that faces them. */
     NOOK_EMPTY_MESH,          /* no triangle */
     NOOK_REPEATED_VERTEX,     /* a triangle with two or three equal vertices. where: the triangle */
-    NOOK_DUPLICATE_TRIANGLE,  /* a triangle on the same three vertices as an earlier one. where: the triangle */
+    NOOK_DUPLICATE_TRIANGLE,  /* a triangle on the same three vertices as another; every copy but one is named. where: the triangle */
     NOOK_ISOLATED_VERTEX,     /* a vertex of no triangle. where: the vertex */
     NOOK_BORDER_EDGE,         /* an edge with one triangle. where: the corner */
     NOOK_INCOHERENT_EDGE,     /* an edge whose two triangles run it in the same direction. where: the corner */

@@ -2,7 +2,24 @@
 #ifndef NOOK_VECTOR_H
 #define NOOK_VECTOR_H
 
+#include <string.h>
+
 #include "core/nook_mesh.h"
+
+/* The bits of a float, and back. */
+static inline uint32_t nook_float_bits(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static inline float nook_float_from(uint32_t bits)
+{
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
 
 static inline nook_point nook_make(float x, float y, float z)
 {

@@ -31,8 +31,10 @@ typedef struct nook_link_state {
     nook_marks marks;
     nook_shells *shells;
     nook_where where; /* of an error */
-    uint32_t phase, at, list;
-    uint32_t same_way, twins, long_lists;
+    uint32_t phase, at; /* the pass, and the vertex, triangle or corner it has come to */
+    uint32_t list, leader; /* inside a list or ring: the corner reached, and the one it began with */
+    uint32_t corners;      /* of the ring being counted */
+    uint32_t flags;        /* private: what was met that a sound mesh does not have */
     union {
         nook_list_sort sort;
         nook_survey_state survey;

@@ -24,20 +24,20 @@
 #include "table/nook_number.h"
 
 typedef struct nook_stl {
-    nook_number number;
+    nook_number number;   /* ASCII: the coordinate being read */
     nook_point corner[3]; /* of the triangle being read */
-    uint8_t bytes[84];    /* binary: the record being read; ASCII: the word; at first the header */
     nook_where where;     /* of an error: the byte of a binary file, the line of a text */
     uint32_t triangles;   /* given so far */
     uint32_t declared;    /* binary: how many the header announces */
     uint32_t size;        /* of the file, or NOOK_UNKNOWN */
     uint32_t offset;      /* of the next byte */
-    uint32_t line;
-    uint8_t filled;      /* bytes in use */
-    uint8_t replayed;    /* of them, how many are read again as text */
-    uint8_t state;       /* private, as all below */
-    uint8_t floats;      /* coordinates of the triangle read so far */
-    uint8_t skip;
+    uint32_t line;        /* ASCII: the one being read, from 1 */
+    uint8_t bytes[84];    /* the header, then the binary record being read */
+    char word[9];         /* ASCII: the word being read, in lower case */
+    uint8_t filled;       /* of bytes[] */
+    uint8_t letters;      /* of the word being read */
+    uint8_t step;         /* private: what is read now */
+    uint8_t failed;       /* the status that ended reading; NOOK_OK */
     bool ascii;
     bool trailing; /* bytes followed the declared triangles and were ignored */
 } nook_stl;

@@ -1,16 +1,15 @@
 /* nook_survey.h -- what the triangles form together: components, fans, border loops.
  *
- * It walks edge rings: every corner's entry names the next corner that faces the same edge, in a
- * cycle. A finished O table is the special case in which all rings have one or two corners. link
- * surveys the rings of a defective mesh before it cuts them; check surveys O.
- *
- * Three passes, each with 3 bits a triangle and 1 bit a vertex:
- *   components  depth-first search without a stack: the code of a triangle says how it was entered,
- *               so the way back is read from the tables. 3 looks a triangle, paused anywhere.
+ * Three passes over V, O and C, each with 3 bits a triangle and 1 bit a vertex:
+ *   components  depth-first search without a stack: the code of a triangle says by which corner it
+ *               was entered, so the way back is O of that corner. 3 looks a triangle, and a pause
+ *               anywhere.
  *   fans        corners joined around their vertex across edges of two triangles. A vertex whose
  *               triangles form more than one fan is non-manifold.
  *   loops       border edges joined around the vertices of the border, inside fans: two loops that
- *               touch at a vertex are two. */
+ *               touch at a vertex are two.
+ * Two triangles that run their edge in the same direction are neighbours like others. link surveys
+ * the mesh while O still pairs such edges; check surveys a finished O. */
 #ifndef NOOK_SURVEY_H
 #define NOOK_SURVEY_H
 
@@ -31,11 +30,12 @@ typedef struct nook_shell {
     uint32_t triangles;
     uint32_t vertices; /* distinct ones */
     uint32_t fans;     /* vertices after cutting at non-manifold ones */
+    bool has_nonmanifold_edge; /* then the next five say nothing */
+    bool orientable;
     uint32_t border_edges, border_loops;
     uint32_t incoherent_edges;
-    bool has_nonmanifold_edge;
-    bool orientable;     /* meaningless with a non-manifold edge */
     float signed_volume; /* filled by check, for a closed, coherently oriented shell; else 0 */
+    float volume_lost;   /* private to check: what rounding lost of it */
 } nook_shell;
 
 /* The genus of a shell (number of handles) from fans - edges + triangles = 2 - 2g - loops;
@@ -53,27 +53,32 @@ typedef struct nook_shells {
 
 typedef struct nook_survey_state {
     nook_view view;
+    nook_index *lists;
     nook_marks marks;
     const nook_finder *finder;
     nook_shells *shells;
     nook_survey *result;
-    uint32_t phase, at;   /* the pass, and the triangle or corner it has come to */
-    uint32_t c, entry;    /* where the walk stands */
-    uint32_t root, start; /* where it began */
-    uint32_t v;           /* the vertex it turns about */
-    uint8_t third;        /* what the third bit of a code means; private */
-    bool other_way;
+    uint32_t phase, at; /* the pass, and the triangle or corner it has come to */
+    uint32_t hops;      /* left to this pass: tables that change underneath cannot hold it for ever */
+    uint32_t c;         /* the corner looked across */
+    uint32_t entry;     /* the corner by which the triangle of c was entered */
+    uint32_t start;     /* where the walk began */
+    uint32_t v;         /* the vertex it turns about */
+    uint32_t home;      /* the corner that C names for v; NOOK_NONE once met */
+    bool other_way, odd;
 } nook_survey_state;
 
-/* rings: a view whose V and C are valid and whose O holds edge rings or opposite corners.
- * has_nonmanifold: whether any ring has three corners or more.
+/* view: V and C valid; O pairs corners that face the same edge, and leaves others their own.
+ * lists: null, or view->O writable, where the corners of an edge with more than two triangles form a
+ *   list that ends at itself, starting at the smallest. The search takes such lists apart; when it
+ *   is done no two of their corners are mutual.
  * marks: for at least nt triangles and nv vertices. shells and finder may be null.
  * Found through finder: NOOK_NOT_ORIENTABLE (once a component), NOOK_NONMANIFOLD_VERTEX (once each).
  *   NOOK_NULL_ARGUMENT, NOOK_NO_CAPACITY (marks too small)
- *   NOOK_BAD_OPPOSITE from step, if the rings change underneath it: never an endless walk
- * Steps: at most 3 nt hops of the search, 3 of the fans and 3 of the loops, plus the clearing of
- * the marks; one unit is one hop, at most 120 instructions. */
-nook_status nook_survey_begin(nook_survey_state *state, const nook_view *rings, bool has_nonmanifold,
+ *   NOOK_BAD_OPPOSITE from step, if O is not as above: never an endless walk
+ * Steps: at most 4 nt hops of the search, 3 nt of the fans and 3 nt of the loops, and nt + nv for
+ * marks; one unit is one of them, at most 150 instructions on M4F. */
+nook_status nook_survey_begin(nook_survey_state *state, const nook_view *view, nook_index *lists,
                               const nook_marks *marks, nook_shells *shells, const nook_finder *finder,
                               nook_survey *result);
 nook_status nook_survey_step(nook_survey_state *state, uint32_t *units);

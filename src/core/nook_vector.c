@@ -1,0 +1,54 @@
+/* nook_vector.c -- what of nook_vector.h is longer than a line. */
+#include "core/nook_vector.h"
+
+/* Digit by digit, two bits of the radicand for one of the root, as on paper. The radicand is
+ * brought to 2^24 <= m < 2^26 with an even exponent; 25 steps give 24 bits of root and one more to
+ * round by. The root of a 24-bit number is never half way between two floats, so that bit decides. */
+float nook_sqrt_by_integers(float x)
+{
+    uint32_t bits = nook_float_bits(x), m = bits & 0x7FFFFFu, root = 0, sum = 0, bit;
+    int32_t exponent = (int32_t)(bits >> 23);
+    if (bits == 0 || bits == 0x80000000u || bits == 0x7F800000u) return x;
+    if (bits > 0x7F800000u) return nook_float_from(0x7FC00000u);
+    if (exponent == 0) {
+        for (exponent = 1; m < 0x800000u; exponent--) m <<= 1;
+    }
+    m |= 0x800000u;
+    exponent -= 127;
+    m <<= (exponent & 1) ? 2 : 1;
+    exponent -= exponent & 1;
+    for (bit = 0x1000000u; bit != 0; bit >>= 1) {
+        if (m >= sum + bit) {
+            m -= sum + bit;
+            sum += 2u * bit;
+            root += bit;
+        }
+        m <<= 1;
+    }
+    root += root & 1u;
+    return nook_float_from(((uint32_t)(exponent / 2 + 126) << 23) + (root >> 1));
+}
+
+float nook_length(nook_point a)
+{
+    float x = a.x < 0 ? -a.x : a.x, y = a.y < 0 ? -a.y : a.y, z = a.z < 0 ? -a.z : a.z;
+    float most = x > y ? x : y;
+    uint32_t exponent = nook_float_bits(most > z ? most : z) >> 23;
+    /* Scale by a power of two near the largest component, which rounds nothing that matters. */
+    if (exponent < 1u) exponent = 1u;
+    if (exponent > 253u) exponent = 253u;
+    a = nook_scaled(a, nook_float_from((254u - exponent) << 23));
+    return nook_sqrt(nook_dot(a, a)) * nook_float_from(exponent << 23);
+}
+
+void nook_add(nook_sum *sum, float term)
+{
+    float total = sum->total + term;
+    float big = sum->total < 0 ? -sum->total : sum->total;
+    if (big >= (term < 0 ? -term : term)) {
+        sum->lost += (sum->total - total) + term;
+    } else {
+        sum->lost += (term - total) + sum->total;
+    }
+    sum->total = total;
+}
