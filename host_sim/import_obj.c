@@ -103,7 +103,7 @@ static bool face_vertex(const imported *m, word w, uint32_t all, uint32_t line, 
 static bool read_face(imported *m, scan *s, uint32_t all, failure *f)
 {
     word w;
-    uint32_t v;
+    uint32_t v = 0;
     polygon_begin(m);
     while (scan_word(s, &w)) {
         if (!face_vertex(m, w, all, s->line, &v, f)) return fail_element(f, "triangle", m->nt);

@@ -325,13 +325,13 @@ static bool read_row(ply *p, const element *e)
 /* The fewest bytes of a row: of a list its count alone; in text a digit and a blank each. */
 static uint64_t least_row(const ply *p, const element *e)
 {
-    uint64_t bytes = 0;
+    uint64_t least = 0;
     size_t i;
     for (i = 0; i < e->properties; i++) {
         const property *q = &p->property[e->first + i];
-        bytes += p->form == TEXT ? 2u : type_size[q->count != NO_TYPE ? q->count : q->of];
+        least += p->form == TEXT ? 2u : type_size[q->count != NO_TYPE ? q->count : q->of];
     }
-    return bytes;
+    return least;
 }
 
 static bool read_rows(ply *p, const element *e)

@@ -11,7 +11,7 @@
 
 /* Bytes of Mt[] for max_nt triangles and of Mv[] for max_nv vertices; constant expressions.
  * One byte is added so that three bits can be read as two bytes. */
-#define NOOK_MT_BYTES(max_nt) ((size_t)(max_nt) * 3u / 8u + 2u)
+#define NOOK_MT_BYTES(max_nt) ((size_t)(max_nt)*3u / 8u + 2u)
 #define NOOK_MV_BYTES(max_nv) (((size_t)(max_nv) + 7u) / 8u)
 
 typedef struct nook_marks {

@@ -43,19 +43,18 @@ typedef struct nook_mesh {
 #define NOOK_ALIGNMENT 4u
 
 /* Bytes of all four arrays; a constant expression. nook_mesh_bytes() computes the same number. */
-#define NOOK_MESH_BYTES(max_nv, max_nt)                                                            \
-    ((size_t)(max_nv) * (sizeof(nook_point) + sizeof(nook_index)) +                                \
-     (size_t)(max_nt) * 6u * sizeof(nook_index))
+#define NOOK_MESH_BYTES(max_nv, max_nt)                                                                      \
+    ((size_t)(max_nv) * (sizeof(nook_point) + sizeof(nook_index)) + (size_t)(max_nt)*6u * sizeof(nook_index))
 
 /* The four arrays as one struct type, for a static declaration:
  *     static NOOK_MESH_ARRAYS(500, 1000) link3;
  *     nook_mesh_init(&mesh, link3.G, link3.V, link3.O, link3.C, 500, 1000);  */
-#define NOOK_MESH_ARRAYS(max_nv, max_nt)                                                           \
-    struct {                                                                                       \
-        nook_point G[max_nv];                                                                      \
-        nook_index V[3u * (max_nt)];                                                               \
-        nook_index O[3u * (max_nt)];                                                               \
-        nook_index C[max_nv];                                                                      \
+#define NOOK_MESH_ARRAYS(max_nv, max_nt)                                                                     \
+    struct {                                                                                                 \
+        nook_point G[max_nv];                                                                                \
+        nook_index V[3u * (max_nt)];                                                                         \
+        nook_index O[3u * (max_nt)];                                                                         \
+        nook_index C[max_nv];                                                                                \
     }
 
 /* The number NOOK_MESH_BYTES gives; 0 if it does not fit a size_t or this index width. */

@@ -8,33 +8,33 @@
 #include "core/nook_config.h"
 
 typedef enum nook_status {
-    NOOK_OK = 0,  /* done, and nothing to say */
-    NOOK_MORE,    /* a resumable call used up its units, or a parser its bytes: call again */
+    NOOK_OK = 0,   /* done, and nothing to say */
+    NOOK_MORE,     /* a resumable call used up its units, or a parser its bytes: call again */
     NOOK_TRIANGLE, /* a parser has a triangle ready and may have bytes left: take it, call again */
 
     /* The call cannot be carried out. */
-    NOOK_NULL_ARGUMENT,  /* a pointer that must be given is null */
-    NOOK_MISALIGNED,     /* an array does not start at a multiple of NOOK_ALIGNMENT or of its element */
-    NOOK_NO_CAPACITY,    /* more elements than the arrays, or this index width, can hold */
+    NOOK_NULL_ARGUMENT, /* a pointer that must be given is null */
+    NOOK_MISALIGNED,    /* an array does not start at a multiple of NOOK_ALIGNMENT or of its element */
+    NOOK_NO_CAPACITY,   /* more elements than the arrays, or this index width, can hold */
 
     /* Numbers and tables that cannot be used. */
-    NOOK_INDEX_OUT_OF_RANGE, /* V names a vertex that does not exist. where: the corner */
-    NOOK_NOT_FINITE,         /* a coordinate is NaN or infinite. where: the vertex */
+    NOOK_INDEX_OUT_OF_RANGE,   /* V names a vertex that does not exist. where: the corner */
+    NOOK_NOT_FINITE,           /* a coordinate is NaN or infinite. where: the vertex */
     NOOK_COORDINATE_TOO_LARGE, /* |x| > 2^30. where: the vertex */
-    NOOK_BAD_OPPOSITE,       /* O[O[c]] != c, O out of range, or the two edges differ. where: the corner */
-    NOOK_BAD_VERTEX_CORNER,  /* the corner-of-a-vertex table names a corner of another vertex. where: the vertex */
+    NOOK_BAD_OPPOSITE,         /* O[O[c]] != c, O out of range, or the two edges differ. where: the corner */
+    NOOK_BAD_VERTEX_CORNER, /* the corner-of-a-vertex table names a corner of another vertex. where: the vertex */
 
     /* Defects of a mesh. Edges are named by a corner that faces them. */
-    NOOK_EMPTY_MESH,          /* no triangle */
-    NOOK_REPEATED_VERTEX,     /* a triangle with two or three equal vertices. where: the triangle */
-    NOOK_DUPLICATE_TRIANGLE,  /* a triangle on the same three vertices as another; every copy but one is named. where: the triangle */
-    NOOK_ISOLATED_VERTEX,     /* a vertex of no triangle. where: the vertex */
-    NOOK_BORDER_EDGE,         /* an edge with one triangle. where: the corner */
-    NOOK_INCOHERENT_EDGE,     /* an edge whose two triangles run it in the same direction. where: the corner */
-    NOOK_NONMANIFOLD_EDGE,    /* an edge with three or more triangles. where: the corner */
-    NOOK_NONMANIFOLD_VERTEX,  /* triangles around it form more than one fan. where: the vertex */
-    NOOK_NOT_ORIENTABLE,      /* no choice of directions agrees, as on a Moebius strip. where: the corner where it shows */
-    NOOK_INSIDE_OUT,          /* a closed, oriented shell of negative volume. where: its first triangle */
+    NOOK_EMPTY_MESH,      /* no triangle */
+    NOOK_REPEATED_VERTEX, /* a triangle with two or three equal vertices. where: the triangle */
+    NOOK_DUPLICATE_TRIANGLE, /* a triangle on the same three vertices as another; every copy but one is named. where: the triangle */
+    NOOK_ISOLATED_VERTEX,    /* a vertex of no triangle. where: the vertex */
+    NOOK_BORDER_EDGE,        /* an edge with one triangle. where: the corner */
+    NOOK_INCOHERENT_EDGE,    /* an edge whose two triangles run it in the same direction. where: the corner */
+    NOOK_NONMANIFOLD_EDGE,   /* an edge with three or more triangles. where: the corner */
+    NOOK_NONMANIFOLD_VERTEX, /* triangles around it form more than one fan. where: the vertex */
+    NOOK_NOT_ORIENTABLE, /* no choice of directions agrees, as on a Moebius strip. where: the corner where it shows */
+    NOOK_INSIDE_OUT, /* a closed, oriented shell of negative volume. where: its first triangle */
 
     /* Bytes that cannot be read. where: the byte, or the line of a text format */
     NOOK_BAD_NUMBER,     /* not a decimal number */
@@ -74,6 +74,11 @@ typedef struct nook_finder {
     void (*found)(void *user, nook_status defect, nook_where where);
     void *user;
 } nook_finder;
+
+static inline void nook_tell(const nook_finder *finder, nook_status defect, nook_kind kind, uint32_t index)
+{
+    if (finder != NULL && finder->found != NULL) finder->found(finder->user, defect, nook_at(kind, index));
+}
 
 /* Names for logs ("border_edge") and sentences for people ("edge with a single triangle"), English,
  * static. They stand in an object file of their own, which the linker drops when nobody asks.

@@ -33,12 +33,10 @@ float nook_length(nook_point a)
 {
     float x = a.x < 0 ? -a.x : a.x, y = a.y < 0 ? -a.y : a.y, z = a.z < 0 ? -a.z : a.z;
     float most = x > y ? x : y;
-    uint32_t exponent = nook_float_bits(most > z ? most : z) >> 23;
-    /* Scale by a power of two near the largest component, which rounds nothing that matters. */
-    if (exponent < 1u) exponent = 1u;
-    if (exponent > 253u) exponent = 253u;
-    a = nook_scaled(a, nook_float_from((254u - exponent) << 23));
-    return nook_sqrt(nook_dot(a, a)) * nook_float_from(exponent << 23);
+    uint32_t exponent = nook_exponent(most > z ? most : z);
+    /* Scaling by a power of two near the largest component rounds nothing that matters. */
+    a = nook_scaled(a, nook_power_of_two(254u - exponent));
+    return nook_sqrt(nook_dot(a, a)) * nook_power_of_two(exponent);
 }
 
 void nook_add(nook_sum *sum, float term)

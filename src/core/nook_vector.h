@@ -21,6 +21,19 @@ static inline float nook_float_from(uint32_t bits)
     return x;
 }
 
+/* 2^(biased - 127), and the biased exponent of |x| brought into 1..253, so that both the power of
+ * two near x and its inverse are normal floats. */
+static inline float nook_power_of_two(uint32_t biased)
+{
+    return nook_float_from(biased << 23);
+}
+
+static inline uint32_t nook_exponent(float x)
+{
+    uint32_t biased = nook_float_bits(x) >> 23 & 0xFFu;
+    return biased < 1u ? 1u : biased > 253u ? 253u : biased;
+}
+
 static inline nook_point nook_make(float x, float y, float z)
 {
     nook_point p;

@@ -6,22 +6,29 @@
 
 #include <string.h>
 
-enum phase { POINTS, INDICES, CLEAR_MARKS, CORNERS, VERTICES, SURVEY, BOX, ZERO_SHELLS, MEASURE, SHELLS, FINISHED, FAILED };
+enum phase {
+    POINTS,
+    INDICES,
+    MARKS,
+    CORNERS,
+    VERTICES,
+    SURVEY,
+    BOX,
+    ZERO_SHELLS,
+    MEASURE,
+    SHELLS,
+    FINISHED,
+    FAILED
+};
 
-static void tell(const nook_check_state *s, nook_status defect, nook_kind kind, uint32_t index)
-{
-    if (s->finder != NULL && s->finder->found != NULL) {
-        s->finder->found(s->finder->user, defect, nook_at(kind, index));
-    }
-}
+/* ---- tables ----------------------------------------------------------------------------------- */
 
-static void count(const nook_check_state *s, uint32_t *counter, nook_status defect, nook_kind kind, uint32_t index)
+static void count(const nook_check_state *s, uint32_t *counter, nook_status defect, nook_kind kind,
+                  uint32_t index)
 {
     ++*counter;
-    tell(s, defect, kind, index);
+    nook_tell(s->finder, defect, kind, index);
 }
-
-/* ---- tables ---------------------------------------------------------------------------------- */
 
 static void look_at_point(nook_check_state *s, uint32_t v)
 {
@@ -52,74 +59,96 @@ static void look_at_corner(nook_check_state *s, uint32_t c)
     if (!opposite_is_good(&s->view, c)) {
         count(s, &s->result->bad_opposites, NOOK_BAD_OPPOSITE, NOOK_AT_CORNER, c);
     }
-    if (c % 3u != 0) return;
-    if (V[c] == V[c + 1u] || V[c + 1u] == V[c + 2u] || V[c + 2u] == V[c]) {
-        count(s, &s->result->repeated_vertex_triangles, NOOK_REPEATED_VERTEX, NOOK_AT_TRIANGLE, c / 3u);
-    }
+    if (c != 3u * nook_triangle(c) || (V[c] != V[c + 1u] && V[c + 1u] != V[c + 2u] && V[c + 2u] != V[c]))
+        return;
+    count(s, &s->result->repeated_vertex_triangles, NOOK_REPEATED_VERTEX, NOOK_AT_TRIANGLE, nook_triangle(c));
 }
 
 static void look_at_vertex(nook_check_state *s, uint32_t v)
 {
     uint32_t c = nook_corner_of(&s->view, v);
-    bool used = nook_bit(s->marks.Mv, v), good = c == NOOK_NONE ? !used : c < 3u * s->view.nt && s->view.V[c] == v;
+    bool used = nook_bit(s->marks.Mv, v),
+         good = c == NOOK_NONE ? !used : c < 3u * s->view.nt && s->view.V[c] == v;
     if (!used) count(s, &s->result->isolated_vertices, NOOK_ISOLATED_VERTEX, NOOK_AT_VERTEX, v);
     if (!good) count(s, &s->result->bad_corners, NOOK_BAD_VERTEX_CORNER, NOOK_AT_VERTEX, v);
 }
 
-/* ---- measures -------------------------------------------------------------------------------- */
+static bool tables_are_good(const nook_check_result *r)
+{
+    return r->bad_indices == 0 && r->bad_opposites == 0 && r->bad_corners == 0 &&
+           r->repeated_vertex_triangles == 0;
+}
 
-/* Coordinates are measured from the middle of the box and scaled by a power of two to about 1, so
- * that neither far nor tiny nor huge meshes lose digits. */
-static void begin_measure(nook_check_state *s)
+/* ---- what follows from counts ------------------------------------------------------------------ */
+
+static nook_truth truth(bool value)
+{
+    return value ? NOOK_YES : NOOK_NO;
+}
+
+static void copy_report(nook_check_result *r, const nook_report *report)
+{
+    r->edges = report->edges;
+    r->border_edges = report->border_edges;
+    r->matched_edges = report->matched_edges;
+    r->incoherent_edges = report->incoherent_edges;
+    r->nonmanifold_edges = report->nonmanifold_edges;
+    r->duplicate_triangles = report->duplicate_triangles;
+    r->edge_manifold = truth(r->nonmanifold_edges == 0);
+    r->even = truth(report->odd_edges == 0);
+    r->oriented = truth(r->incoherent_edges == 0);
+    r->watertight = truth(r->triangles != 0 && r->border_edges == 0 && r->nonmanifold_edges == 0);
+    r->euler = (int32_t)(r->vertices - r->isolated_vertices - r->edges + r->triangles);
+    r->euler_known = true;
+    if (r->survey.nonmanifold_vertices == NOOK_UNKNOWN) return;
+    r->manifold =
+        truth(r->edge_manifold == NOOK_YES && r->triangles != 0 && r->survey.nonmanifold_vertices == 0);
+    r->simple = truth(r->manifold == NOOK_YES && r->watertight == NOOK_YES &&
+                      r->survey.orientable == NOOK_YES && r->survey.components == 1u && r->euler == 2);
+}
+
+/* After the survey, or without it: conclude, and go on to what can be measured. */
+static void conclude(nook_check_state *s)
 {
     nook_check_result *r = s->result;
-    nook_point size = nook_sub(r->box_max, r->box_min);
-    float most = size.x > size.y ? size.x : size.y;
-    uint32_t exponent = nook_float_bits(most > size.z ? most : size.z) >> 23;
-    nook_point centre = nook_make(r->box_min.x + 0.5f * size.x, r->box_min.y + 0.5f * size.y, r->box_min.z + 0.5f * size.z);
-    memset(&s->in.measure, 0, sizeof s->in.measure);
-    s->in.measure.centre = centre;
-    if (exponent < 1u) exponent = 1u;
-    if (exponent > 253u) exponent = 253u;
-    s->in.measure.scale = nook_float_from((254u - exponent) << 23);
+    if (s->report != NULL && tables_are_good(r)) copy_report(r, s->report);
+    s->phase = r->bad_coordinates == 0 && r->bad_corners == 0 ? BOX : FINISHED;
 }
 
-static float unscaled(const nook_check_state *s, float value, int power)
+/* The survey is taken from the report, or done where O tells all: link cut no edge but borders. */
+static nook_status begin_survey(nook_check_state *s)
 {
-    float back = nook_float_from((254u << 23) - nook_float_bits(s->in.measure.scale));
-    while (power-- > 0) value *= back;
-    return value;
-}
-
-static bool may_have_volume(const nook_shell *shell)
-{
-    return !shell->has_nonmanifold_edge && shell->border_edges == 0 && shell->incoherent_edges == 0;
-}
-
-static nook_shell *shell_of(const nook_check_state *s, uint32_t t)
-{
-    nook_shells *all = s->shells;
-    return all != NULL && all->component[t] < all->count ? &all->shell[all->component[t]] : NULL;
-}
-
-static void measure_triangle(nook_check_state *s, uint32_t t)
-{
-    const nook_view *m = &s->view;
-    float scale = s->in.measure.scale, volume;
-    nook_point centre = s->in.measure.centre, a = nook_point_at(m, 3u * t);
-    nook_point ab = nook_scaled(nook_sub(nook_point_at(m, 3u * t + 1u), a), scale);
-    nook_point ac = nook_scaled(nook_sub(nook_point_at(m, 3u * t + 2u), a), scale);
-    nook_point twice = nook_cross(ab, ac);
-    nook_shell *shell = shell_of(s, t);
-    nook_add(&s->in.measure.area, 0.5f * nook_length(twice));
-    volume = nook_dot(nook_scaled(nook_sub(a, centre), scale), twice) / 6.0f;
-    nook_add(&s->in.measure.volume, volume);
-    if (shell != NULL) {
-        nook_sum sum = {shell->signed_volume, shell->volume_lost};
-        nook_add(&sum, volume);
-        shell->signed_volume = sum.total;
-        shell->volume_lost = sum.lost;
+    nook_check_result *r = s->result;
+    const nook_report *report = s->report;
+    bool whole = report == NULL || (report->incoherent_edges == 0 && report->nonmanifold_edges == 0);
+    bool done = report != NULL && report->survey.components != NOOK_UNKNOWN;
+    r->clean = truth(r->isolated_vertices == 0 && r->repeated_vertex_triangles == 0);
+    if (tables_are_good(r) && whole && !done) {
+        return nook_survey_begin(&s->in.survey, &s->view, NULL, &s->marks, s->shells, s->finder, &r->survey);
     }
+    if (tables_are_good(r) && done) {
+        r->survey = report->survey;
+    } else if (s->shells != NULL) {
+        s->shells->count = 0; /* nothing is known of single shells */
+    }
+    conclude(s);
+    return NOOK_OK;
+}
+
+static nook_status survey(nook_check_state *s, uint32_t *units)
+{
+    nook_status status = nook_survey_step(&s->in.survey, units);
+    if (status == NOOK_OK) conclude(s);
+    if (status != NOOK_OK && status != NOOK_MORE) s->phase = FAILED;
+    return status == NOOK_MORE ? NOOK_OK : status;
+}
+
+/* ---- measures --------------------------------------------------------------------------------- */
+
+static void widen(float *low, float *high, float x)
+{
+    if (x < *low) *low = x;
+    if (x > *high) *high = x;
 }
 
 static void extend_box(nook_check_state *s, uint32_t v)
@@ -127,226 +156,134 @@ static void extend_box(nook_check_state *s, uint32_t v)
     nook_check_result *r = s->result;
     nook_point p = s->view.G[v];
     if (s->view.C[v] == NOOK_STORED_NONE) return;
-    if (!r->geometry_known) {
-        r->box_min = r->box_max = p;
-        r->geometry_known = true;
-    }
-    if (p.x < r->box_min.x) r->box_min.x = p.x;
-    if (p.y < r->box_min.y) r->box_min.y = p.y;
-    if (p.z < r->box_min.z) r->box_min.z = p.z;
-    if (p.x > r->box_max.x) r->box_max.x = p.x;
-    if (p.y > r->box_max.y) r->box_max.y = p.y;
-    if (p.z > r->box_max.z) r->box_max.z = p.z;
+    if (!r->geometry_known) r->box_min = r->box_max = p;
+    r->geometry_known = true;
+    widen(&r->box_min.x, &r->box_max.x, p.x);
+    widen(&r->box_min.y, &r->box_max.y, p.y);
+    widen(&r->box_min.z, &r->box_max.z, p.z);
+}
+
+/* Coordinates are measured from the middle of the box and scaled by a power of two to about 1, so
+ * that neither far nor tiny nor huge meshes lose digits. */
+static void begin_measure(nook_check_state *s)
+{
+    nook_check_result *r = s->result;
+    nook_point size = nook_sub(r->box_max, r->box_min), half = nook_scaled(size, 0.5f);
+    float most = size.x > size.y ? size.x : size.y;
+    uint32_t exponent = nook_exponent(most > size.z ? most : size.z);
+    memset(&s->in.measure, 0, sizeof s->in.measure);
+    s->in.measure.centre = nook_make(r->box_min.x + half.x, r->box_min.y + half.y, r->box_min.z + half.z);
+    s->in.measure.scale = nook_power_of_two(254u - exponent);
+    s->in.measure.back = nook_power_of_two(exponent);
+}
+
+/* The area of triangle t, and the volume of the tetrahedron over it from the middle of the box. */
+static void measure_triangle(nook_check_state *s, uint32_t t)
+{
+    float scale = s->in.measure.scale, volume;
+    nook_point a = nook_point_at(&s->view, 3u * t);
+    nook_point ab = nook_scaled(nook_sub(nook_point_at(&s->view, 3u * t + 1u), a), scale);
+    nook_point ac = nook_scaled(nook_sub(nook_point_at(&s->view, 3u * t + 2u), a), scale);
+    nook_point twice = nook_cross(ab, ac);
+    nook_shell *shell = nook_shell_of(s->shells, t);
+    nook_add(&s->in.measure.area, 0.5f * nook_length(twice));
+    volume = nook_dot(nook_scaled(nook_sub(a, s->in.measure.centre), scale), twice) / 6.0f;
+    nook_add(&s->in.measure.volume, volume);
+    if (shell != NULL) nook_add(&shell->volume, volume);
+}
+
+static float unscaled_volume(const nook_check_state *s, const nook_sum *sum)
+{
+    float back = s->in.measure.back;
+    return nook_sum_value(sum) * back * back * back;
 }
 
 static void end_measure(nook_check_state *s)
 {
     nook_check_result *r = s->result;
-    r->area = unscaled(s, nook_sum_value(&s->in.measure.area), 2);
-    r->signed_volume = unscaled(s, nook_sum_value(&s->in.measure.volume), 3);
-    if (r->watertight == NOOK_YES && r->oriented == NOOK_YES) {
-        r->inside_out = r->signed_volume < 0 ? NOOK_YES : NOOK_NO;
-        if (s->shells == NULL && r->inside_out == NOOK_YES) tell(s, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, 0);
-    }
+    float back = s->in.measure.back;
+    r->geometry_known = true;
+    r->area = nook_sum_value(&s->in.measure.area) * back * back;
+    r->signed_volume = unscaled_volume(s, &s->in.measure.volume);
+    if (r->watertight != NOOK_YES || r->oriented != NOOK_YES) return;
+    r->inside_out = truth(r->signed_volume < 0);
+    if (s->shells == NULL && r->signed_volume < 0) nook_tell(s->finder, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, 0);
+}
+
+static void zero_shell(nook_check_state *s, uint32_t k)
+{
+    memset(&s->shells->shell[k].volume, 0, sizeof s->shells->shell[k].volume);
 }
 
 static void finish_shell(nook_check_state *s, uint32_t k)
 {
     nook_shell *shell = &s->shells->shell[k];
-    float volume = unscaled(s, shell->signed_volume + shell->volume_lost, 3);
-    shell->volume_lost = 0;
-    shell->signed_volume = may_have_volume(shell) ? volume : 0;
-    if (may_have_volume(shell) && volume < 0) tell(s, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, shell->first_triangle);
+    bool closed = !shell->has_nonmanifold_edge && shell->border_edges == 0 && shell->incoherent_edges == 0;
+    shell->signed_volume = closed ? unscaled_volume(s, &shell->volume) : 0;
+    if (shell->signed_volume < 0)
+        nook_tell(s->finder, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, shell->first_triangle);
 }
 
-/* ---- what follows ---------------------------------------------------------------------------- */
+/* ---- passes ----------------------------------------------------------------------------------- */
 
-static nook_truth truth(bool value)
-{
-    return value ? NOOK_YES : NOOK_NO;
-}
-
-static bool tables_are_good(const nook_check_result *r)
-{
-    return r->bad_indices == 0 && r->bad_opposites == 0 && r->bad_corners == 0 && r->repeated_vertex_triangles == 0;
-}
-
-static bool survey_is_done(const nook_check_state *s)
-{
-    return s->report != NULL && s->report->survey.components != NOOK_UNKNOWN;
-}
-
-/* Whether O shows all there is: link cut no edge but border edges. */
-static bool O_tells_all(const nook_check_state *s)
-{
-    return s->report == NULL || (s->report->incoherent_edges == 0 && s->report->nonmanifold_edges == 0);
-}
-
-static void copy_report(nook_check_state *s)
-{
-    nook_check_result *r = s->result;
-    const nook_report *report = s->report;
-    r->edges = report->edges;
-    r->border_edges = report->border_edges;
-    r->matched_edges = report->matched_edges;
-    r->incoherent_edges = report->incoherent_edges;
-    r->nonmanifold_edges = report->nonmanifold_edges;
-    r->duplicate_triangles = report->duplicate_triangles;
-    r->edge_manifold = truth(report->nonmanifold_edges == 0);
-    r->even = truth(report->odd_edges == 0);
-    r->oriented = truth(report->incoherent_edges == 0);
-    r->watertight = truth(s->view.nt != 0 && report->border_edges == 0 && report->nonmanifold_edges == 0);
-}
-
-static void conclude(nook_check_state *s)
-{
-    nook_check_result *r = s->result;
-    if (r->bad_indices == 0) r->clean = truth(r->isolated_vertices == 0 && r->repeated_vertex_triangles == 0);
-    if (s->report == NULL || !tables_are_good(r)) return;
-    copy_report(s);
-    r->euler = (int32_t)(s->view.nv - r->isolated_vertices - r->edges + s->view.nt);
-    r->euler_known = true;
-    if (r->survey.nonmanifold_vertices == NOOK_UNKNOWN) return;
-    r->manifold = truth(r->edge_manifold == NOOK_YES && s->view.nt != 0 && r->survey.nonmanifold_vertices == 0);
-    r->simple = truth(r->manifold == NOOK_YES && r->watertight == NOOK_YES && r->survey.orientable == NOOK_YES &&
-                      r->survey.components == 1u && r->euler == 2);
-}
-
-/* ---- passes ---------------------------------------------------------------------------------- */
-
+/* How many items the pass has. */
 static uint32_t length(const nook_check_state *s)
 {
     switch (s->phase) {
     case POINTS:
     case VERTICES:
-    case BOX:
-        return s->view.nv;
+    case BOX: return s->view.nv;
     case INDICES:
-    case CORNERS:
-        return 3u * s->view.nt;
-    case CLEAR_MARKS:
-        return (uint32_t)NOOK_MV_BYTES(s->view.nv);
-    case MEASURE:
-        return s->view.nt;
+    case CORNERS: return 3u * s->view.nt;
+    case MARKS: return (uint32_t)NOOK_MV_BYTES(s->view.nv);
+    case MEASURE: return s->view.nt;
     case ZERO_SHELLS:
-    case SHELLS:
-        return s->shells != NULL ? s->shells->count : 0;
-    default:
-        return NOOK_NONE;
+    case SHELLS: return s->shells != NULL ? s->shells->count : 0;
+    default: return NOOK_NONE;
     }
-}
-
-/* What V and C allow to be measured. */
-static uint32_t measures(const nook_check_state *s)
-{
-    const nook_check_result *r = s->result;
-    return r->bad_coordinates == 0 && r->bad_indices == 0 && r->bad_corners == 0 ? BOX : FINISHED;
-}
-
-/* No survey, so nothing to say of single shells. */
-static void forget_shells(nook_check_state *s)
-{
-    if (s->shells != NULL) s->shells->count = 0;
-    s->shells = NULL;
-}
-
-static nook_status after_vertices(nook_check_state *s)
-{
-    s->phase = SURVEY;
-    if (tables_are_good(s->result) && !survey_is_done(s) && O_tells_all(s)) {
-        return nook_survey_begin(&s->in.survey, &s->view, NULL, &s->marks, s->shells, s->finder, &s->result->survey);
-    }
-    if (tables_are_good(s->result) && survey_is_done(s)) {
-        s->result->survey = s->report->survey;
-    } else {
-        forget_shells(s);
-    }
-    conclude(s);
-    s->phase = measures(s);
-    return NOOK_OK;
 }
 
 static nook_status next_pass(nook_check_state *s)
 {
     s->at = 0;
-    switch (s->phase) {
+    switch (s->phase++) {
     case INDICES:
-        s->phase = s->result->bad_indices == 0 ? CLEAR_MARKS : FINISHED;
-        if (s->phase == FINISHED) forget_shells(s);
+        if (s->result->bad_indices == 0) return NOOK_OK;
+        s->phase = FINISHED;
+        if (s->shells != NULL) s->shells->count = 0;
         return NOOK_OK;
-    case VERTICES:
-        return after_vertices(s);
-    case ZERO_SHELLS:
-        begin_measure(s);
-        s->phase = MEASURE;
-        return NOOK_OK;
-    case MEASURE:
-        end_measure(s);
-        s->result->geometry_known = true;
-        s->phase = SHELLS;
-        return NOOK_OK;
-    default: /* POINTS, CLEAR_MARKS, CORNERS, BOX, SHELLS */
-        s->phase++;
-        return NOOK_OK;
+    case VERTICES: return begin_survey(s);
+    case ZERO_SHELLS: begin_measure(s); return NOOK_OK;
+    case MEASURE: end_measure(s); return NOOK_OK;
+    default: return NOOK_OK;
     }
 }
 
 static void visit(nook_check_state *s, uint32_t i)
 {
     switch (s->phase) {
-    case POINTS:
-        look_at_point(s, i);
-        return;
-    case INDICES:
-        look_at_index(s, i);
-        return;
-    case CLEAR_MARKS:
-        s->marks.Mv[i] = 0;
-        return;
-    case CORNERS:
-        look_at_corner(s, i);
-        return;
-    case VERTICES:
-        look_at_vertex(s, i);
-        return;
-    case BOX:
-        extend_box(s, i);
-        return;
-    case ZERO_SHELLS:
-        s->shells->shell[i].signed_volume = s->shells->shell[i].volume_lost = 0;
-        return;
-    case MEASURE:
-        measure_triangle(s, i);
-        return;
-    default:
-        finish_shell(s, i);
-        return;
+    case POINTS: look_at_point(s, i); return;
+    case INDICES: look_at_index(s, i); return;
+    case MARKS: s->marks.Mv[i] = 0; return;
+    case CORNERS: look_at_corner(s, i); return;
+    case VERTICES: look_at_vertex(s, i); return;
+    case BOX: extend_box(s, i); return;
+    case ZERO_SHELLS: zero_shell(s, i); return;
+    case MEASURE: measure_triangle(s, i); return;
+    default: finish_shell(s, i); return;
     }
-}
-
-static nook_status survey(nook_check_state *s, uint32_t *units)
-{
-    nook_status status = nook_survey_step(&s->in.survey, units);
-    if (status != NOOK_OK) {
-        if (status != NOOK_MORE) s->phase = FAILED;
-        return status;
-    }
-    conclude(s);
-    s->phase = measures(s);
-    s->at = 0;
-    return NOOK_OK;
 }
 
 nook_status nook_check_step(nook_check_state *s, uint32_t *units)
 {
     while (s->phase < FINISHED) {
         nook_status status = NOOK_OK;
-        if (s->phase == SURVEY) {
-            status = survey(s, units);
-        } else if (s->at == length(s)) {
+        if (s->phase != SURVEY && s->at == length(s)) {
             status = next_pass(s);
         } else if (*units == 0) {
             return NOOK_MORE;
+        } else if (s->phase == SURVEY) {
+            status = survey(s, units);
         } else {
             --*units;
             visit(s, s->at++);
@@ -361,9 +298,7 @@ static void all_unknown(nook_check_result *r)
     memset(r, 0, sizeof *r);
     r->edges = r->border_edges = r->matched_edges = r->incoherent_edges = NOOK_UNKNOWN;
     r->nonmanifold_edges = r->duplicate_triangles = NOOK_UNKNOWN;
-    r->survey.components = r->survey.fans = NOOK_UNKNOWN;
-    r->survey.nonmanifold_vertices = r->survey.border_loops = NOOK_UNKNOWN;
-    r->survey.orientable = NOOK_MAYBE;
+    nook_survey_unknown(&r->survey);
     r->edge_manifold = r->manifold = r->even = r->watertight = NOOK_MAYBE;
     r->oriented = r->clean = r->simple = r->inside_out = NOOK_MAYBE;
 }
@@ -388,7 +323,7 @@ nook_status nook_check_begin(nook_check_state *s, const nook_view *view, const n
     s->finder = finder;
     s->result = result;
     s->phase = POINTS;
-    if (view->nt == 0) tell(s, NOOK_EMPTY_MESH, NOOK_NOWHERE, 0);
+    if (view->nt == 0) nook_tell(finder, NOOK_EMPTY_MESH, NOOK_NOWHERE, 0);
     return NOOK_OK;
 }
 
@@ -408,6 +343,7 @@ nook_status nook_check(const nook_view *view, const nook_marks *marks, const noo
 
 bool nook_is_sound(const nook_check_result *r)
 {
-    return tables_are_good(r) && r->bad_coordinates == 0 && r->manifold == NOOK_YES && r->watertight == NOOK_YES &&
-           r->oriented == NOOK_YES && r->inside_out == NOOK_NO && r->duplicate_triangles == 0;
+    return tables_are_good(r) && r->bad_coordinates == 0 && r->manifold == NOOK_YES &&
+           r->watertight == NOOK_YES && r->oriented == NOOK_YES && r->inside_out == NOOK_NO &&
+           r->duplicate_triangles == 0;
 }

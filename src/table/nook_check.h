@@ -6,7 +6,6 @@
 #ifndef NOOK_CHECK_H
 #define NOOK_CHECK_H
 
-#include "core/nook_vector.h"
 #include "table/nook_link.h"
 
 typedef struct nook_check_result {
@@ -55,7 +54,7 @@ typedef struct nook_check_state {
         struct {
             nook_sum area, volume;
             nook_point centre;
-            float scale;
+            float scale, back;
         } measure;
     } in;
 } nook_check_state;

@@ -23,50 +23,30 @@
 #include <string.h>
 
 enum { LOOKS = 16 };
-
+enum flags { SUSPECT = 1, LONG_LIST = 2 };
 enum phase {
-    CLEAR_HEADS,
+    HEADS,
     INSERT,
-    FIND_TAIL,
-    SORT_TAIL,
-    SPLIT_TAIL,
+    TAILS,
     PAIR,
-    CLEAR_MARKS,
+    MARKS,
     CENSUS,
-    MARK_RING,
-    UNMARK_RING,
-    FIND_RING,
-    OPEN_RING,
     SURVEY,
     CUT,
     FINISHED,
-    FAILED
+    FAILED,
+    SORT_TAIL,
+    SPLIT_TAIL,
+    RING,
+    RING_AGAIN
 };
 
-static nook_status fail(nook_link_state *s, nook_status status, nook_where where)
+static nook_status fail(nook_link_state *s, nook_status status, nook_kind kind, uint32_t index)
 {
-    s->where = where;
+    s->where = nook_at(kind, index);
     s->phase = FAILED;
     s->at = (uint32_t)status;
     return status;
-}
-
-static void tell(const nook_link_state *s, nook_status defect, nook_kind kind, uint32_t index)
-{
-    if (s->finder != NULL && s->finder->found != NULL) {
-        s->finder->found(s->finder->user, defect, nook_at(kind, index));
-    }
-}
-
-/* The two ends of the edge that c faces: from v(n(c)) to v(p(c)). */
-static inline uint32_t edge_from(const nook_index *V, uint32_t c)
-{
-    return V[nook_next(c)];
-}
-
-static inline uint32_t edge_to(const nook_index *V, uint32_t c)
-{
-    return V[nook_prev(c)];
 }
 
 /* The sum of the ends of the edge that c faces: of the triangle's vertices less that of c. */
@@ -76,12 +56,19 @@ static inline uint32_t edge_sum(const nook_index *V, uint32_t c)
     return (uint32_t)t[0] + t[1] + t[2] - V[c];
 }
 
-/* The larger vertex of the edge that c faces. */
-static inline uint32_t edge_high(const nook_index *V, uint32_t c)
+/* Whether two corners that face the same edge run it in opposite directions. */
+static inline bool coherent(const nook_index *V, uint32_t c, uint32_t o)
 {
-    uint32_t a = edge_from(V, c), b = edge_to(V, c);
-    return a > b ? a : b;
+    return V[nook_next(c)] == V[nook_prev(o)];
 }
+
+/* Whether c is at the largest vertex of its triangle. */
+static inline bool is_highest(const nook_index *V, uint32_t c)
+{
+    return V[c] > V[nook_next(c)] && V[c] > V[nook_prev(c)];
+}
+
+/* ---- insert ----------------------------------------------------------------------------------- */
 
 /* The tables and counts of a pass, where the compiler can keep them in registers. */
 typedef struct tally {
@@ -90,14 +77,24 @@ typedef struct tally {
     uint32_t edges, flags;
 } tally;
 
-enum { SUSPECT = 1, LONG_LIST = 2 };
+static tally tally_of(const nook_link_state *s)
+{
+    tally n = {s->mesh->V, s->mesh->O, s->mesh->C, 0, 0};
+    return n;
+}
+
+static void keep(nook_link_state *s, const tally *n)
+{
+    s->report->edges += n->edges;
+    s->flags |= n->flags;
+}
 
 /* c lies on the edge of leader x: it leaves the lists and points at x. What a sound mesh does not
  * have makes the mesh suspect: an edge run twice in the same direction, twins with the same tip. */
 static inline void join(tally *n, uint32_t c, uint32_t x, uint32_t from)
 {
     n->O[c] = nook_store(x);
-    n->flags |= (uint32_t)(edge_from(n->V, x) == from) | (uint32_t)(n->V[c] == n->V[x]);
+    n->flags |= (uint32_t)(n->V[nook_next(x)] == from) | (uint32_t)(n->V[c] == n->V[x]);
 }
 
 /* c leads an edge and is the end of its list, or stands alone. */
@@ -138,59 +135,41 @@ static inline void insert(tally *n, uint32_t c, uint32_t from, uint32_t to)
     n->flags |= LONG_LIST;
 }
 
-static void clear_heads(nook_link_state *s, uint32_t count)
-{
-    memset(s->mesh->C + s->at, 0xFF, count * sizeof *s->mesh->C);
-    s->at += count;
-}
-
+/* The corner of t that cannot be used, or the triangle itself. */
 static nook_status bad_triangle(nook_link_state *s, uint32_t t)
 {
-    const nook_index *V = s->mesh->V;
     uint32_t c;
     for (c = 3u * t; c < 3u * t + 3u; c++) {
-        if (V[c] >= s->mesh->nv) return fail(s, NOOK_INDEX_OUT_OF_RANGE, nook_at(NOOK_AT_CORNER, c));
+        if (s->mesh->V[c] >= s->mesh->nv) return fail(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_CORNER, c);
     }
-    return fail(s, NOOK_REPEATED_VERTEX, nook_at(NOOK_AT_TRIANGLE, t));
+    return fail(s, NOOK_REPEATED_VERTEX, NOOK_AT_TRIANGLE, t);
 }
 
-static tally tally_of(const nook_link_state *s)
-{
-    tally n = {s->mesh->V, s->mesh->O, s->mesh->C, 0, 0};
-    return n;
-}
-
-static void keep(nook_link_state *s, const tally *n)
-{
-    s->report->edges += n->edges;
-    s->flags |= n->flags;
-}
-
-static nook_status insert_triangles(nook_link_state *s, uint32_t count)
+static nook_status insert_triangles(nook_link_state *s, uint32_t t, uint32_t end)
 {
     tally n = tally_of(s);
-    uint32_t t, from, end_c, end = s->at + count, nv = s->mesh->nv;
-    for (t = s->at; t < end; t++) {
-        uint32_t first = 3u * t, a = n.V[first], b = n.V[first + 1u], c = n.V[first + 2u];
-        if (a >= nv || b >= nv || c >= nv || a == b || b == c || c == a) return bad_triangle(s, t);
-        for (end_c = first + 3u; first < end_c; first++) {
-            insert(&n, first, b, c);
-            from = b; /* the next corner's triangle begins with its own vertex */
-            b = c;
-            c = a;
-            a = from;
+    uint32_t nv = s->mesh->nv, c, last, from;
+    for (; t < end; t++) {
+        uint32_t v0 = n.V[3u * t], v1 = n.V[3u * t + 1u], v2 = n.V[3u * t + 2u];
+        if (v0 >= nv || v1 >= nv || v2 >= nv || v0 == v1 || v1 == v2 || v2 == v0) return bad_triangle(s, t);
+        for (c = 3u * t, last = c + 2u; c <= last; c++) {
+            insert(&n, c, v1, v2);
+            from = v1; /* turn the triangle, so that the next corner is the first */
+            v1 = v2;
+            v2 = v0;
+            v0 = from;
         }
     }
-    s->at = end;
     keep(s, &n);
     return NOOK_OK;
 }
 
+/* ---- tails ------------------------------------------------------------------------------------ */
+
 /* If the list of vertex v is longer than was searched, cut off its tail to have it sorted. */
-static void find_tail(nook_link_state *s)
+static void find_tail(nook_link_state *s, uint32_t v)
 {
-    nook_index *O = s->mesh->O;
-    nook_index x = s->mesh->C[s->at++];
+    nook_index *O = s->mesh->O, x = s->mesh->C[v];
     uint32_t i;
     if (x == NOOK_STORED_NONE) return;
     for (i = 1; i < LOOKS && O[x] != x; i++) x = O[x];
@@ -210,39 +189,40 @@ static inline bool edge_before(const void *vertices, uint32_t y, uint32_t x)
 
 static void sort_tail(nook_link_state *s, uint32_t *units)
 {
-    while (*units != 0) {
-        --*units;
-        if (!nook_sort_step(&s->in.sort, s->mesh->O, s->mesh->V, edge_before)) continue;
-        s->list = s->in.sort.head;
-        s->leader = NOOK_NONE;
-        s->phase = SPLIT_TAIL;
-        return;
+    bool sorted = false;
+    for (; *units != 0 && !sorted; --*units) {
+        sorted = nook_sort_step(&s->in.sort, s->mesh->O, s->mesh->V, edge_before);
     }
+    if (!sorted) return;
+    s->list = s->in.sort.head;
+    s->leader = NOOK_NONE;
+    s->phase = SPLIT_TAIL;
 }
 
 /* In a sorted tail equal edges are neighbours and the smallest corner comes first: it leads. */
 static void split_tail(nook_link_state *s)
 {
     tally n = tally_of(s);
-    uint32_t x = s->list, next = nook_list_next(n.O, x);
-    if (s->leader == NOOK_NONE || edge_sum(n.V, s->leader) != edge_sum(n.V, x)) {
+    uint32_t x = s->list;
+    s->list = nook_list_next(n.O, x);
+    if (s->leader != NOOK_NONE && edge_sum(n.V, s->leader) == edge_sum(n.V, x)) {
+        join(&n, x, s->leader, n.V[nook_next(x)]);
+    } else {
         lead(&n, x);
         s->leader = x;
-    } else {
-        join(&n, x, s->leader, edge_from(n.V, x));
     }
     keep(s, &n);
-    s->list = next;
-    if (next == NOOK_NONE) s->phase = FIND_TAIL;
+    if (s->list == NOOK_NONE) s->phase = TAILS;
 }
 
+/* ---- pair ------------------------------------------------------------------------------------- */
+
 /* A leader stands alone; a member takes its place in its leader's ring. C gets its corners. */
-static void pair_corners(nook_link_state *s, uint32_t count)
+static void pair_corners(nook_link_state *s, uint32_t b, uint32_t end)
 {
     tally n = tally_of(s);
-    uint32_t b, end = s->at + count;
     uint32_t thirds = 0;
-    for (b = s->at; b < end; b++) {
+    for (; b < end; b++) {
         uint32_t x = n.O[b], y;
         n.head[n.V[b]] = nook_store(b);
         if (x >= b) {
@@ -254,13 +234,7 @@ static void pair_corners(nook_link_state *s, uint32_t count)
         n.O[x] = nook_store(b);
         thirds |= y ^ x;
     }
-    s->at = end;
     if (thirds != 0) s->flags |= SUSPECT;
-}
-
-static bool coherent(const nook_index *V, uint32_t c, uint32_t o)
-{
-    return edge_from(V, c) == edge_to(V, o);
 }
 
 /* Edges were counted when inserted. If none has a third corner or runs one way twice, the corners
@@ -270,271 +244,186 @@ static void pairs_done(nook_link_state *s)
     nook_report *r = s->report;
     uint32_t members = 3u * s->mesh->nt - r->edges;
     bool wants_to_hear = s->finder != NULL && s->finder->found != NULL;
-    s->phase = CLEAR_MARKS;
-    if (s->flags & SUSPECT) return;
-    if (wants_to_hear && r->edges != members) return;
+    if ((s->flags & SUSPECT) || (wants_to_hear && r->edges != members)) return;
     r->border_edges = r->odd_edges = r->edges - members;
     r->matched_edges = members;
     s->phase = FINISHED;
 }
 
-/* A pair of triangles on the same three vertices counts once, at its edge of two smaller vertices. */
-static void count_twins(nook_link_state *s, uint32_t c, uint32_t o)
+/* ---- census ----------------------------------------------------------------------------------- */
+
+static void duplicate(nook_link_state *s, uint32_t c)
+{
+    s->report->duplicate_triangles++;
+    nook_tell(s->finder, NOOK_DUPLICATE_TRIANGLE, NOOK_AT_TRIANGLE, nook_triangle(c));
+}
+
+static void count_edge(nook_link_state *s, uint32_t *counter, nook_status defect, uint32_t c)
+{
+    ++*counter;
+    nook_tell(s->finder, defect, NOOK_AT_CORNER, c);
+}
+
+static void count_pair(nook_link_state *s, uint32_t c, uint32_t o)
 {
     const nook_index *V = s->mesh->V;
-    if (V[c] != V[o] || V[c] < edge_high(V, c)) return;
-    s->report->duplicate_triangles++;
-    tell(s, NOOK_DUPLICATE_TRIANGLE, NOOK_AT_TRIANGLE, nook_triangle(o));
+    if (V[c] == V[o] && is_highest(V, c)) duplicate(s, o); /* once, at one of its three edges */
+    if (coherent(V, c, o)) {
+        s->report->matched_edges++;
+    } else {
+        count_edge(s, &s->report->incoherent_edges, NOOK_INCOHERENT_EDGE, c);
+    }
 }
 
 /* The ring of corner c, if c leads it: leaders alone point forward, or at themselves. */
 static void count_ring(nook_link_state *s, uint32_t c)
 {
     nook_report *r = s->report;
-    const nook_index *V = s->mesh->V, *O = s->mesh->O;
+    const nook_index *O = s->mesh->O;
     uint32_t o = O[c];
     if (o < c) return;
     if (o == c) {
-        r->border_edges++;
         r->odd_edges++;
-        tell(s, NOOK_BORDER_EDGE, NOOK_AT_CORNER, c);
-    } else if (O[o] != c) {
-        r->nonmanifold_edges++;
-        tell(s, NOOK_NONMANIFOLD_EDGE, NOOK_AT_CORNER, c);
-        s->phase = MARK_RING;
+        count_edge(s, &r->border_edges, NOOK_BORDER_EDGE, c);
+    } else if (O[o] == c) {
+        count_pair(s, c, o);
+    } else {
+        count_edge(s, &r->nonmanifold_edges, NOOK_NONMANIFOLD_EDGE, c);
+        s->phase = RING;
         s->list = s->leader = c;
         s->corners = 0;
-    } else {
-        count_twins(s, c, o);
-        if (coherent(V, c, o)) {
-            r->matched_edges++;
-        } else {
-            r->incoherent_edges++;
-            tell(s, NOOK_INCOHERENT_EDGE, NOOK_AT_CORNER, c);
-        }
     }
 }
 
-/* One corner of a ring of three or more. Its tip is marked; a tip met again is a duplicate triangle.
- * Only tips beyond the edge count, so that each set of vertices counts at one of its edges. */
-static void mark_ring(nook_link_state *s)
+/* One corner of a ring of three or more. First round: its tip is marked, and a tip met again is a
+ * duplicate triangle; only tips beyond the edge, so that a set of vertices counts at one of its
+ * edges. Second round: the marks are wiped. */
+static void walk_ring(nook_link_state *s)
 {
-    const nook_index *V = s->mesh->V;
-    uint32_t tip = V[s->list];
+    uint32_t c = s->list, tip = s->mesh->V[c];
+    bool again = s->phase == RING_AGAIN;
     s->corners++;
-    if (s->marks.Mv != NULL && tip > edge_high(V, s->list)) {
-        if (nook_bit(s->marks.Mv, tip)) {
-            s->report->duplicate_triangles++;
-            tell(s, NOOK_DUPLICATE_TRIANGLE, NOOK_AT_TRIANGLE, nook_triangle(s->list));
-        }
+    if (s->marks.Mv != NULL && again) {
+        nook_clear_bit(s->marks.Mv, tip);
+    } else if (s->marks.Mv != NULL && is_highest(s->mesh->V, c)) {
+        if (nook_bit(s->marks.Mv, tip)) duplicate(s, c);
         nook_set_bit(s->marks.Mv, tip);
     }
-    s->list = s->mesh->O[s->list];
-    if (s->list == s->leader) {
-        s->report->odd_edges += s->corners & 1u;
-        s->phase = UNMARK_RING;
-    }
+    s->list = s->mesh->O[c];
+    if (s->list != s->leader) return;
+    if (!again) s->report->odd_edges += s->corners & 1u;
+    s->phase = again ? CENSUS : RING_AGAIN;
 }
 
-static void unmark_ring(nook_link_state *s)
-{
-    if (s->marks.Mv != NULL) nook_clear_bit(s->marks.Mv, s->mesh->V[s->list]);
-    s->list = s->mesh->O[s->list];
-    if (s->list == s->leader) s->phase = CENSUS;
-}
-
-/* After the census: what comes next, and what can no longer be known. */
-static void census_done(nook_link_state *s)
-{
-    nook_report *r = s->report;
-    bool rings = r->nonmanifold_edges != 0;
-    if (!rings && r->incoherent_edges == 0) {
-        s->phase = FINISHED;
-    } else if (s->marks.Mt != NULL) {
-        s->phase = FIND_RING;
-    } else {
-        s->phase = CUT;
-        if (rings) r->duplicate_triangles = NOOK_UNKNOWN;
-    }
-}
-
+/* A mesh with other defects than borders is surveyed before it is cut. */
 static nook_status begin_survey(nook_link_state *s)
 {
+    nook_report *r = s->report;
     nook_view view = nook_view_of(s->mesh);
-    nook_index *lists = s->report->nonmanifold_edges != 0 ? s->mesh->O : NULL;
-    s->phase = SURVEY;
-    return nook_survey_begin(&s->in.survey, &view, lists, &s->marks, s->shells, s->finder, &s->report->survey);
+    nook_index *rings = r->nonmanifold_edges != 0 ? s->mesh->O : NULL;
+    if (rings == NULL && r->incoherent_edges == 0) {
+        s->phase = FINISHED;
+    } else if (s->marks.Mt != NULL) {
+        return nook_survey_begin(&s->in.survey, &view, rings, &s->marks, s->shells, s->finder, &r->survey);
+    } else {
+        if (rings != NULL) r->duplicate_triangles = NOOK_UNKNOWN;
+        s->phase = CUT;
+    }
+    return NOOK_OK;
 }
 
-/* A ring of three or more becomes a list that ends at itself: that is what the survey takes apart. */
-static void find_ring(nook_link_state *s)
+static nook_status survey(nook_link_state *s, uint32_t *units)
 {
-    const nook_index *O = s->mesh->O;
-    uint32_t c = s->at++;
-    if (O[c] <= c || O[O[c]] == c) return;
-    s->list = s->leader = c;
-    s->phase = OPEN_RING;
-}
-
-static void open_ring(nook_link_state *s)
-{
-    nook_index *O = s->mesh->O;
-    uint32_t x = s->list;
-    s->list = O[x];
-    if (s->list != s->leader) return;
-    O[x] = nook_store(x);
-    s->phase = FIND_RING;
+    nook_status status = nook_survey_step(&s->in.survey, units);
+    if (status == NOOK_OK) s->phase = CUT;
+    return status == NOOK_OK || status == NOOK_MORE ? NOOK_OK : fail(s, status, NOOK_NOWHERE, 0);
 }
 
 /* Everything but a coherent pair becomes its own opposite. Corners of an edge with three triangles
  * or more are never mutual, in their rings or as the survey leaves them. */
-static void cut(nook_link_state *s)
+static void cut(nook_link_state *s, uint32_t c)
 {
     nook_index *O = s->mesh->O;
-    uint32_t c = s->at++, o = O[c];
+    uint32_t o = O[c];
     if (O[o] == c && coherent(s->mesh->V, c, o)) return;
     if (O[o] == c) O[o] = nook_store(o);
     O[c] = nook_store(c);
 }
 
-/* The items of the pass; passes inside a list or ring end on their own. */
+/* ---- passes ----------------------------------------------------------------------------------- */
+
+/* How many items the pass has. */
 static uint32_t length(const nook_link_state *s)
 {
     switch (s->phase) {
-    case CLEAR_HEADS:
-    case FIND_TAIL:
-        return s->mesh->nv;
-    case INSERT:
-        return s->mesh->nt;
-    case CLEAR_MARKS:
-        return s->marks.Mv == NULL ? 0 : (uint32_t)NOOK_MV_BYTES(s->mesh->nv);
+    case HEADS:
+    case TAILS: return s->mesh->nv;
+    case INSERT: return s->mesh->nt;
+    case MARKS: return s->marks.Mv != NULL ? (uint32_t)NOOK_MV_BYTES(s->mesh->nv) : 0;
     case PAIR:
     case CENSUS:
-    case FIND_RING:
-    case CUT:
-        return 3u * s->mesh->nt;
-    default:
-        return NOOK_NONE;
+    case CUT: return 3u * s->mesh->nt;
+    default: return NOOK_NONE;
     }
 }
 
 static nook_status next_pass(nook_link_state *s)
 {
     s->at = 0;
-    switch (s->phase) {
-    case CLEAR_HEADS:
-        s->phase = INSERT;
-        return NOOK_OK;
-    case INSERT:
-        s->phase = s->flags & LONG_LIST ? FIND_TAIL : PAIR;
-        return NOOK_OK;
-    case FIND_TAIL:
-        s->phase = PAIR;
-        return NOOK_OK;
-    case PAIR:
-        pairs_done(s);
-        return NOOK_OK;
-    case CLEAR_MARKS:
-        s->phase = CENSUS;
-        return NOOK_OK;
-    case CENSUS:
-        census_done(s);
-        return NOOK_OK;
-    case FIND_RING:
-        return begin_survey(s);
-    default:
-        s->phase = FINISHED;
-        return NOOK_OK;
-    }
+    s->phase++;
+    if (s->phase == TAILS && !(s->flags & LONG_LIST)) s->phase = PAIR;
+    if (s->phase == MARKS) pairs_done(s);
+    return s->phase == SURVEY ? begin_survey(s) : NOOK_OK;
 }
 
-static nook_status survey(nook_link_state *s, uint32_t *units)
-{
-    nook_status status = nook_survey_step(&s->in.survey, units);
-    if (status == NOOK_MORE) return NOOK_OK;
-    if (status != NOOK_OK) return fail(s, status, nook_at(NOOK_NOWHERE, 0));
-    s->phase = CUT;
-    return NOOK_OK;
-}
-
-/* One item of a pass that is not worth a loop of its own. */
 static void work(nook_link_state *s)
 {
     switch (s->phase) {
-    case FIND_TAIL:
-        find_tail(s);
-        return;
-    case SPLIT_TAIL:
-        split_tail(s);
-        return;
-    case CLEAR_MARKS:
-        s->marks.Mv[s->at++] = 0;
-        return;
-    case CENSUS:
-        count_ring(s, s->at++);
-        return;
-    case MARK_RING:
-        mark_ring(s);
-        return;
-    case UNMARK_RING:
-        unmark_ring(s);
-        return;
-    case FIND_RING:
-        find_ring(s);
-        return;
-    case OPEN_RING:
-        open_ring(s);
-        return;
-    default:
-        cut(s);
-        return;
+    case TAILS: find_tail(s, s->at++); return;
+    case SPLIT_TAIL: split_tail(s); return;
+    case MARKS: s->marks.Mv[s->at++] = 0; return;
+    case CENSUS: count_ring(s, s->at++); return;
+    case CUT: cut(s, s->at++); return;
+    default: walk_ring(s); return;
     }
 }
 
+/* Up to *units items of one pass; the passes that every mesh goes through have loops of their own. */
 static nook_status advance(nook_link_state *s, uint32_t *units)
 {
-    uint32_t left = length(s) - s->at, count = *units < left ? *units : left;
+    uint32_t at = s->at, left = length(s) - at, count = *units < left ? *units : left;
     if (left == 0) return next_pass(s);
     if (s->phase == SURVEY) return survey(s, units);
     if (s->phase == SORT_TAIL) {
         sort_tail(s, units);
         return NOOK_OK;
     }
+    if (s->phase != HEADS && s->phase != INSERT && s->phase != PAIR) {
+        --*units;
+        work(s);
+        return NOOK_OK;
+    }
     *units -= count;
-    if (s->phase == INSERT) return insert_triangles(s, count);
+    s->at += count;
+    if (s->phase == INSERT) return insert_triangles(s, at, s->at);
     if (s->phase == PAIR) {
-        pair_corners(s, count);
-        return NOOK_OK;
+        pair_corners(s, at, s->at);
+    } else {
+        memset(s->mesh->C + at, 0xFF, count * sizeof *s->mesh->C);
     }
-    if (s->phase == CLEAR_HEADS) {
-        clear_heads(s, count);
-        return NOOK_OK;
-    }
-    *units += count - 1u;
-    work(s);
     return NOOK_OK;
 }
 
 nook_status nook_link_step(nook_link_state *s, uint32_t *units)
 {
-    while (s->phase < FINISHED) {
+    while (s->phase != FINISHED) {
         nook_status status;
+        if (s->phase == FAILED) return (nook_status)s->at;
         if (*units == 0) return NOOK_MORE;
         status = advance(s, units);
         if (status != NOOK_OK) return status;
     }
-    return s->phase == FINISHED ? NOOK_OK : (nook_status)s->at;
-}
-
-static void empty_report(nook_report *report, uint32_t nt)
-{
-    memset(report, 0, sizeof *report);
-    report->triangles = nt;
-    report->survey.components = NOOK_UNKNOWN;
-    report->survey.fans = NOOK_UNKNOWN;
-    report->survey.nonmanifold_vertices = NOOK_UNKNOWN;
-    report->survey.border_loops = NOOK_UNKNOWN;
-    report->survey.orientable = NOOK_MAYBE;
+    return NOOK_OK;
 }
 
 nook_status nook_link_begin(nook_link_state *s, nook_mesh *mesh, const nook_marks *marks, nook_shells *shells,
@@ -542,25 +431,26 @@ nook_status nook_link_begin(nook_link_state *s, nook_mesh *mesh, const nook_mark
 {
     if (s == NULL || mesh == NULL || report == NULL) return NOOK_NULL_ARGUMENT;
     memset(s, 0, sizeof *s);
-    s->phase = FAILED;
-    s->at = (uint32_t)NOOK_NULL_ARGUMENT;
+    fail(s, NOOK_NULL_ARGUMENT, NOOK_NOWHERE, 0);
     if (marks != NULL) {
         if (marks->Mt == NULL || marks->Mv == NULL) return NOOK_NULL_ARGUMENT;
         if (marks->max_nt < mesh->nt || marks->max_nv < mesh->nv) return NOOK_NO_CAPACITY;
         s->marks = *marks;
     }
-    empty_report(report, mesh->nt);
+    memset(report, 0, sizeof *report);
+    report->triangles = mesh->nt;
+    nook_survey_unknown(&report->survey);
     s->mesh = mesh;
     s->report = report;
     s->finder = finder;
     s->shells = shells;
-    s->phase = CLEAR_HEADS;
+    s->phase = HEADS;
     s->at = 0;
     return NOOK_OK;
 }
 
-nook_status nook_link(nook_mesh *mesh, const nook_marks *marks, nook_shells *shells, const nook_finder *finder,
-                      nook_report *report, nook_where *where)
+nook_status nook_link(nook_mesh *mesh, const nook_marks *marks, nook_shells *shells,
+                      const nook_finder *finder, nook_report *report, nook_where *where)
 {
     nook_link_state state;
     uint32_t units;

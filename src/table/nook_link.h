@@ -12,13 +12,13 @@
 
 /* What link learned and O cannot show. Keep it with the mesh: nook_check() reads it. */
 typedef struct nook_report {
-    uint32_t triangles; /* of the mesh that was linked */
-    uint32_t edges;     /* distinct vertex pairs: the sum of the next four */
-    uint32_t border_edges;      /* one triangle */
-    uint32_t matched_edges;     /* two triangles, opposite directions */
-    uint32_t incoherent_edges;  /* two triangles, the same direction */
-    uint32_t nonmanifold_edges; /* three triangles or more */
-    uint32_t odd_edges;         /* with an odd number of triangles */
+    uint32_t triangles;           /* of the mesh that was linked */
+    uint32_t edges;               /* distinct vertex pairs: the sum of the next four */
+    uint32_t border_edges;        /* one triangle */
+    uint32_t matched_edges;       /* two triangles, opposite directions */
+    uint32_t incoherent_edges;    /* two triangles, the same direction */
+    uint32_t nonmanifold_edges;   /* three triangles or more */
+    uint32_t odd_edges;           /* with an odd number of triangles */
     uint32_t duplicate_triangles; /* sum over vertex sets of (copies - 1) */
     nook_survey survey; /* filled for a mesh with incoherent or non-manifold edges, if marks were given;
                            else its counts are NOOK_UNKNOWN and check finds them from O */
@@ -30,8 +30,8 @@ typedef struct nook_link_state {
     const nook_finder *finder;
     nook_marks marks;
     nook_shells *shells;
-    nook_where where; /* of an error */
-    uint32_t phase, at; /* the pass, and the vertex, triangle or corner it has come to */
+    nook_where where;      /* of an error */
+    uint32_t phase, at;    /* the pass, and the vertex, triangle or corner it has come to */
     uint32_t list, leader; /* inside a list or ring: the corner reached, and the one it began with */
     uint32_t corners;      /* of the ring being counted */
     uint32_t flags;        /* private: what was met that a sound mesh does not have */
@@ -56,10 +56,10 @@ typedef struct nook_link_state {
  * After an error O and C hold nothing of use; V and G are never written.
  * Steps: 3 nt insertions of at most 16 comparisons, 3 nt to pair; edges beyond the 16th of one
  * vertex are sorted, n log2 n comparisons in all. One unit is at most 450 instructions on M4F. */
-nook_status nook_link_begin(nook_link_state *state, nook_mesh *mesh, const nook_marks *marks, nook_shells *shells,
-                            const nook_finder *finder, nook_report *report);
+nook_status nook_link_begin(nook_link_state *state, nook_mesh *mesh, const nook_marks *marks,
+                            nook_shells *shells, const nook_finder *finder, nook_report *report);
 nook_status nook_link_step(nook_link_state *state, uint32_t *units);
-nook_status nook_link(nook_mesh *mesh, const nook_marks *marks, nook_shells *shells, const nook_finder *finder,
-                      nook_report *report, nook_where *where);
+nook_status nook_link(nook_mesh *mesh, const nook_marks *marks, nook_shells *shells,
+                      const nook_finder *finder, nook_report *report, nook_where *where);
 
 #endif

@@ -14,7 +14,7 @@
 #include "core/nook_vector.h"
 
 enum { KEEP = 115, WORDS = 20 };
-enum place { AT_SIGN, AT_FIRST, IN_INTEGER, AFTER_POINT, IN_FRACTION, AT_EXPONENT, AT_EXPONENT_DIGIT, IN_EXPONENT };
+enum place { AT_SIGN, AT_FIRST, IN_INTEGER, AFTER_POINT, AT_EXPONENT, AT_EXPONENT_DIGIT, IN_EXPONENT };
 enum flags { NEGATIVE = 1, INEXACT = 2, EXPONENT_NEGATIVE = 4, NO_DIGIT_YET = 8 };
 
 /* ---- integers of many words, the least first ------------------------------------------------- */
@@ -58,30 +58,16 @@ static void shift_left(uint32_t *word, uint32_t bits)
     }
 }
 
-static bool less(const uint32_t *a, const uint32_t *b)
+/* a = a - b if that is not negative; whether it was done. */
+static bool take_away(uint32_t *a, const uint32_t *b)
 {
-    uint32_t i = WORDS;
-    while (i-- > 0) {
-        if (a[i] != b[i]) return a[i] < b[i];
-    }
-    return false;
-}
-
-static void subtract(uint32_t *a, const uint32_t *b)
-{
-    uint32_t i, borrow = 0;
+    uint32_t i = WORDS, borrow = 0;
+    while (i > 0 && a[i - 1u] == b[i - 1u]) i--;
+    if (i > 0 && a[i - 1u] < b[i - 1u]) return false;
     for (i = 0; i < WORDS; i++) {
         uint64_t difference = (uint64_t)a[i] - b[i] - borrow;
         a[i] = (uint32_t)difference;
         borrow = (uint32_t)(difference >> 63);
-    }
-}
-
-static bool is_zero(const uint32_t *a)
-{
-    uint32_t i;
-    for (i = 0; i < WORDS; i++) {
-        if (a[i] != 0) return false;
     }
     return true;
 }
@@ -109,48 +95,26 @@ static void take_digit(nook_number *n, uint32_t digit, bool fraction)
     n->kept++;
 }
 
-static nook_status take_other(nook_number *n, char byte)
-{
-    switch (n->place) {
-    case AT_SIGN:
-    case AT_EXPONENT:
-        if (byte == '-') n->flags |= n->place == AT_SIGN ? NEGATIVE : EXPONENT_NEGATIVE;
-        if (byte == '-' || byte == '+') {
-            n->place++;
-            return NOOK_OK;
-        }
-        if (n->place == AT_EXPONENT) return NOOK_BAD_NUMBER;
-        break;
-    case AT_FIRST:
-    case IN_INTEGER:
-    case AFTER_POINT:
-    case IN_FRACTION:
-        break;
-    default:
-        return NOOK_BAD_NUMBER;
-    }
-    if (byte == '.' && n->place <= IN_INTEGER) {
-        n->place = AFTER_POINT;
-        return NOOK_OK;
-    }
-    if ((byte == 'e' || byte == 'E') && (n->flags & NO_DIGIT_YET) == 0) {
-        n->place = AT_EXPONENT;
-        return NOOK_OK;
-    }
-    return NOOK_BAD_NUMBER;
-}
-
 nook_status nook_number_push(nook_number *n, char byte)
 {
     uint32_t digit = (uint32_t)(uint8_t)byte - (uint32_t)'0';
-    if (digit > 9u) return take_other(n, byte);
-    if (n->place >= AT_EXPONENT) {
+    bool in_exponent = n->place >= AT_EXPONENT, sign = byte == '-' || byte == '+';
+    if (digit <= 9u && in_exponent) {
         n->place = IN_EXPONENT;
         if (n->exponent < 100000000) n->exponent = n->exponent * 10 + (int32_t)digit;
-        return NOOK_OK;
+    } else if (digit <= 9u) {
+        n->place = n->place >= AFTER_POINT ? AFTER_POINT : IN_INTEGER;
+        take_digit(n, digit, n->place == AFTER_POINT);
+    } else if (sign && (n->place == AT_SIGN || n->place == AT_EXPONENT)) {
+        if (byte == '-') n->flags |= in_exponent ? EXPONENT_NEGATIVE : NEGATIVE;
+        n->place++;
+    } else if (byte == '.' && n->place <= IN_INTEGER) {
+        n->place = AFTER_POINT;
+    } else if ((byte == 'e' || byte == 'E') && !in_exponent && (n->flags & NO_DIGIT_YET) == 0) {
+        n->place = AT_EXPONENT;
+    } else {
+        return NOOK_BAD_NUMBER;
     }
-    n->place = n->place >= AFTER_POINT ? IN_FRACTION : IN_INTEGER;
-    take_digit(n, digit, n->place == IN_FRACTION);
     return NOOK_OK;
 }
 
@@ -159,7 +123,7 @@ nook_status nook_number_push(nook_number *n, char byte)
 static float power_of_ten(uint32_t power)
 {
     float ten = 1.0f;
-    while (power-- > 0) ten *= 10.0f; /* exact up to 10^10 */
+    for (; power > 0; power--) ten *= 10.0f; /* exact up to 10^10 */
     return ten;
 }
 
@@ -208,15 +172,11 @@ static uint32_t exact_bits(const nook_number *n, int32_t scale)
     }
     shift_left(under, 28u);
     for (i = 0; i <= 28u; i++) {
-        quotient <<= 1;
-        if (!less(top, under)) {
-            subtract(top, under);
-            quotient |= 1u;
-        }
+        quotient = quotient << 1 | take_away(top, under);
         shift_left(top, 1u);
     }
-    if (!is_zero(top)) quotient = quotient << 1 | 1u;
-    else quotient <<= 1;
+    quotient <<= 1;
+    for (i = 0; i < WORDS; i++) quotient |= top[i] != 0; /* something follows */
     return round_to_float(quotient, -shift - 1);
 }
 
@@ -224,14 +184,17 @@ nook_status nook_number_value(const nook_number *n, float *value)
 {
     int32_t scale = n->scale + (n->flags & EXPONENT_NEGATIVE ? -n->exponent : n->exponent);
     uint32_t sign = n->flags & NEGATIVE ? 0x80000000u : 0, bits;
-    if ((n->flags & NO_DIGIT_YET) || n->place == AT_EXPONENT || n->place == AT_EXPONENT_DIGIT) return NOOK_BAD_NUMBER;
+    if ((n->flags & NO_DIGIT_YET) || n->place == AT_EXPONENT || n->place == AT_EXPONENT_DIGIT)
+        return NOOK_BAD_NUMBER;
     if (n->words == 0 || n->kept + scale < -46) {
         bits = 0;
     } else if (n->kept + scale > 39) {
         return NOOK_NOT_FINITE;
-    } else if (n->words == 1 && n->digits[0] < 0x1000000u && scale >= -10 && scale <= 10 && !(n->flags & INEXACT)) {
+    } else if (n->words == 1 && n->digits[0] < 0x1000000u && scale >= -10 && scale <= 10 &&
+               !(n->flags & INEXACT)) {
         float d = (float)n->digits[0];
-        bits = nook_float_bits(scale < 0 ? d / power_of_ten((uint32_t)-scale) : d * power_of_ten((uint32_t)scale));
+        bits = nook_float_bits(scale < 0 ? d / power_of_ten((uint32_t)-scale)
+                                         : d * power_of_ten((uint32_t)scale));
     } else {
         bits = exact_bits(n, scale);
     }

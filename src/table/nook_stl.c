@@ -14,11 +14,22 @@ enum { HEADER_BYTES = 84, RECORD_BYTES = 50 };
 
 /* What a facet consists of, word for word: a name, a number, or something to skip. */
 static const char *const expected[] = {
-    "facet", "normal", "skip", "skip", "skip",   "outer",  "loop",   "vertex", "number",  "number",  "number",
-    "vertex", "number", "number", "number", "vertex", "number", "number", "number", "endloop", "endfacet",
+    "facet",  "normal", "",  "",  "",       "outer", "loop", "vertex", "0",       "0",        "0",
+    "vertex", "0",      "0", "0", "vertex", "0",     "0",    "0",      "endloop", "endfacet",
 };
 
-enum step { FACET = 0, FIRST_SKIP = 2, LAST_SKIP = 4, FIRST_NUMBER = 8, ENDFACET = 20, SOLID, NAME, LAST_NAME, HEADER, RECORD };
+enum step {
+    FACET = 0,
+    FIRST_SKIP = 2,
+    LAST_SKIP = 4,
+    FIRST_NUMBER = 8,
+    ENDFACET = 20,
+    SOLID,
+    NAME,
+    LAST_NAME,
+    HEADER,
+    RECORD
+};
 
 static nook_status fail(nook_stl *stl, nook_status status)
 {
@@ -103,11 +114,11 @@ static bool word_is(const nook_stl *stl, const char *word)
 /* A word has ended where a name was due. */
 static nook_status take_word(nook_stl *stl)
 {
-    if ((stl->step == SOLID || stl->step == FACET) && word_is(stl, "solid")) {
-        stl->step = NAME;
-    } else if (stl->step == FACET && word_is(stl, "endsolid")) {
-        stl->step = LAST_NAME;
-    } else if (stl->step < ENDFACET && word_is(stl, expected[stl->step])) {
+    bool solid = word_is(stl, "solid"), end = word_is(stl, "endsolid");
+    if (stl->step == SOLID && !solid) return fail(stl, NOOK_BAD_SYNTAX);
+    if (stl->step == SOLID || (stl->step == FACET && (solid || end))) {
+        stl->step = end ? LAST_NAME : NAME;
+    } else if (word_is(stl, expected[stl->step])) {
         stl->step++;
     } else {
         return fail(stl, NOOK_BAD_SYNTAX);
@@ -120,38 +131,33 @@ static nook_status take_number(nook_stl *stl)
     uint32_t i = (uint32_t)(stl->step - FIRST_NUMBER);
     float *value = coordinate(stl, i - i / 4u);
     nook_status status = nook_number_value(&stl->number, value);
-    if (status == NOOK_OK && (*value > NOOK_MAX_COORDINATE || *value < -NOOK_MAX_COORDINATE)) {
-        status = NOOK_COORDINATE_TOO_LARGE;
-    }
-    if (status != NOOK_OK) return fail(stl, status);
+    if (status == NOOK_OK) status = nook_point_status(nook_make(*value, 0, 0));
     stl->step++;
-    return NOOK_OK;
+    return status == NOOK_OK ? NOOK_OK : fail(stl, status);
 }
 
 static bool at_number(const nook_stl *stl)
 {
-    return stl->step < ENDFACET && expected[stl->step][1] == 'u' && expected[stl->step][0] == 'n';
+    return stl->step < ENDFACET && expected[stl->step][0] == '0';
 }
 
 static bool at_skip(const nook_stl *stl)
 {
-    return stl->step >= FIRST_SKIP && stl->step <= LAST_SKIP;
+    return stl->step >= NAME || (stl->step >= FIRST_SKIP && stl->step <= LAST_SKIP);
 }
 
 /* White space ends a word, and a line ends a name. */
 static nook_status take_space(nook_stl *stl, uint8_t byte)
 {
     nook_status status = NOOK_OK;
-    if (stl->letters != 0) {
-        if (at_number(stl)) {
-            status = take_number(stl);
-        } else if (at_skip(stl)) {
-            stl->step++;
-        } else if (stl->step != NAME && stl->step != LAST_NAME) {
-            status = take_word(stl);
-        }
-        stl->letters = 0;
+    if (stl->letters != 0 && at_number(stl)) {
+        status = take_number(stl);
+    } else if (stl->letters != 0 && !at_skip(stl)) {
+        status = take_word(stl);
+    } else if (stl->letters != 0 && stl->step < NAME) {
+        stl->step++;
     }
+    stl->letters = 0;
     if (byte == '\n' || byte == '\r') {
         if (stl->step == NAME) stl->step = FACET;
         if (stl->step == LAST_NAME) stl->step = SOLID;

@@ -15,6 +15,7 @@
 
 #include "core/nook_corner.h"
 #include "core/nook_marks.h"
+#include "core/nook_vector.h"
 
 typedef struct nook_survey {
     uint32_t components;           /* connected through any shared edge */
@@ -24,18 +25,24 @@ typedef struct nook_survey {
     nook_truth orientable;         /* NOOK_MAYBE with non-manifold edges */
 } nook_survey;
 
+static inline void nook_survey_unknown(nook_survey *survey)
+{
+    survey->components = survey->fans = survey->nonmanifold_vertices = survey->border_loops = NOOK_UNKNOWN;
+    survey->orientable = NOOK_MAYBE;
+}
+
 /* One edge-connected component, closed or not. */
 typedef struct nook_shell {
     uint32_t first_triangle; /* the smallest */
     uint32_t triangles;
-    uint32_t vertices; /* distinct ones */
-    uint32_t fans;     /* vertices after cutting at non-manifold ones */
+    uint32_t vertices;         /* distinct ones */
+    uint32_t fans;             /* vertices after cutting at non-manifold ones */
     bool has_nonmanifold_edge; /* then the next five say nothing */
     bool orientable;
     uint32_t border_edges, border_loops;
     uint32_t incoherent_edges;
     float signed_volume; /* filled by check, for a closed, coherently oriented shell; else 0 */
-    float volume_lost;   /* private to check: what rounding lost of it */
+    nook_sum volume;     /* private to check */
 } nook_shell;
 
 /* The genus of a shell (number of handles) from fans - edges + triangles = 2 - 2g - loops;
@@ -51,9 +58,16 @@ typedef struct nook_shells {
     uint32_t count;        /* out: how many are described */
 } nook_shells;
 
+/* The shell of triangle t, or null if it is not described. */
+static inline nook_shell *nook_shell_of(const nook_shells *shells, uint32_t t)
+{
+    return shells != NULL && shells->component[t] < shells->count ? &shells->shell[shells->component[t]]
+                                                                  : NULL;
+}
+
 typedef struct nook_survey_state {
     nook_view view;
-    nook_index *lists;
+    nook_index *rings;
     nook_marks marks;
     const nook_finder *finder;
     nook_shells *shells;
@@ -69,16 +83,15 @@ typedef struct nook_survey_state {
 } nook_survey_state;
 
 /* view: V and C valid; O pairs corners that face the same edge, and leaves others their own.
- * lists: null, or view->O writable, where the corners of an edge with more than two triangles form a
- *   list that ends at itself, starting at the smallest. The search takes such lists apart; when it
- *   is done no two of their corners are mutual.
+ * rings: null, or view->O writable, where the corners of each edge with more than two triangles name
+ *   each other in a ring. The search takes these apart; it leaves no two of their corners mutual.
  * marks: for at least nt triangles and nv vertices. shells and finder may be null.
  * Found through finder: NOOK_NOT_ORIENTABLE (once a component), NOOK_NONMANIFOLD_VERTEX (once each).
  *   NOOK_NULL_ARGUMENT, NOOK_NO_CAPACITY (marks too small)
  *   NOOK_BAD_OPPOSITE from step, if O is not as above: never an endless walk
  * Steps: at most 4 nt hops of the search, 3 nt of the fans and 3 nt of the loops, and nt + nv for
  * marks; one unit is one of them, at most 150 instructions on M4F. */
-nook_status nook_survey_begin(nook_survey_state *state, const nook_view *view, nook_index *lists,
+nook_status nook_survey_begin(nook_survey_state *state, const nook_view *view, nook_index *rings,
                               const nook_marks *marks, nook_shells *shells, const nook_finder *finder,
                               nook_survey *result);
 nook_status nook_survey_step(nook_survey_state *state, uint32_t *units);

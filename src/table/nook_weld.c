@@ -2,12 +2,13 @@
  *
  * The vertices are sorted as a linked list, first by coordinates and then by number, so that equal
  * ones are neighbours and the first of them is the one to keep: n log2 n comparisons whatever the
- * file holds, where a hash could be made slow by a hostile one. */
+ * file holds, where a hash could be made slow by a hostile one. Everything is looked at before
+ * anything is changed. */
 #include "table/nook_weld.h"
 
 #include "core/nook_vector.h"
 
-enum phase { POINTS, CORNERS, SORT, RUNS, RENUMBER, RELABEL, FINISHED, FAILED };
+enum phase { POINTS, CORNERS, RENUMBER, RELABEL, FINISHED, FAILED, SORT, RUNS };
 
 /* Any total order will do as long as -0 equals +0: the bits as an integer. */
 static uint32_t key(float x)
@@ -35,33 +36,37 @@ static bool point_before(const void *points, uint32_t y, uint32_t x)
     return compare(&G[y], &G[x]) < 0;
 }
 
-static nook_status fail(nook_weld_state *s, nook_status status, nook_where where)
+static nook_status fail(nook_weld_state *s, nook_status status, nook_kind kind, uint32_t index)
 {
-    s->where = where;
+    s->where = nook_at(kind, index);
     s->phase = FAILED;
     s->kept = (uint32_t)status;
     return status;
 }
 
-/* Everything is looked at before anything is changed. The list at first links each to the next. */
-static nook_status look_at_point(nook_weld_state *s)
+/* The list to sort links each vertex to the next. */
+static nook_status look_at_point(nook_weld_state *s, uint32_t v)
 {
-    uint32_t v = s->at++;
     nook_status status = nook_point_status(s->mesh->G[v]);
-    if (status != NOOK_OK) return fail(s, status, nook_at(NOOK_AT_VERTEX, v));
     s->order[v] = nook_store(v + 1u < s->mesh->nv ? v + 1u : v);
-    return NOOK_OK;
+    return status == NOOK_OK ? NOOK_OK : fail(s, status, NOOK_AT_VERTEX, v);
 }
 
-static nook_status look_at_corner(nook_weld_state *s)
+static nook_status look_at_corner(nook_weld_state *s, uint32_t c)
 {
-    uint32_t c = s->at++;
-    if (s->mesh->V[c] < s->mesh->nv) return NOOK_OK;
-    return fail(s, NOOK_INDEX_OUT_OF_RANGE, nook_at(NOOK_AT_CORNER, c));
+    return s->mesh->V[c] < s->mesh->nv ? NOOK_OK : fail(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_CORNER, c);
 }
 
-/* Along the sorted list: map each vertex to the first of its run. Merging is stable, so that one
- * has the smallest number. kept holds the first of the run. */
+static void sort(nook_weld_state *s)
+{
+    if (!nook_sort_step(&s->sort, s->order, s->mesh->G, point_before)) return;
+    s->at = s->sort.head;
+    s->kept = NOOK_NONE;
+    s->phase = RUNS;
+}
+
+/* Along the sorted list: map each vertex to the first of its run, s->kept. Merging is stable, so
+ * that one has the smallest number. */
 static void follow_runs(nook_weld_state *s)
 {
     uint32_t v = s->at;
@@ -75,9 +80,8 @@ static void follow_runs(nook_weld_state *s)
 
 /* In ascending order: a kept vertex moves down to the next free place, and any other already finds
  * the new number of the one that replaces it. */
-static void renumber(nook_weld_state *s)
+static void renumber(nook_weld_state *s, uint32_t v)
 {
-    uint32_t v = s->at++;
     if (s->map[v] == v) {
         s->mesh->G[s->kept] = s->mesh->G[v];
         s->map[v] = nook_store(s->kept++);
@@ -90,13 +94,10 @@ static uint32_t length(const nook_weld_state *s)
 {
     switch (s->phase) {
     case POINTS:
-    case RENUMBER:
-        return s->mesh->nv;
+    case RENUMBER: return s->mesh->nv;
     case CORNERS:
-    case RELABEL:
-        return 3u * s->mesh->nt;
-    default:
-        return NOOK_NONE;
+    case RELABEL: return 3u * s->mesh->nt;
+    default: return NOOK_NONE;
     }
 }
 
@@ -104,12 +105,9 @@ static void next_pass(nook_weld_state *s)
 {
     s->at = 0;
     s->phase++;
-    if (s->phase == SORT) {
-        if (s->mesh->nv == 0) {
-            s->phase = FINISHED;
-        } else {
-            nook_sort_begin(&s->sort, 0);
-        }
+    if (s->phase == RENUMBER && s->mesh->nv != 0) {
+        nook_sort_begin(&s->sort, 0);
+        s->phase = SORT;
     }
     if (s->phase == FINISHED) s->mesh->nv = s->kept;
 }
@@ -117,23 +115,11 @@ static void next_pass(nook_weld_state *s)
 static nook_status work(nook_weld_state *s)
 {
     switch (s->phase) {
-    case POINTS:
-        return look_at_point(s);
-    case CORNERS:
-        return look_at_corner(s);
-    case SORT:
-        if (nook_sort_step(&s->sort, s->order, s->mesh->G, point_before)) {
-            s->at = s->sort.head;
-            s->kept = NOOK_NONE;
-            s->phase = RUNS;
-        }
-        return NOOK_OK;
-    case RUNS:
-        follow_runs(s);
-        return NOOK_OK;
-    case RENUMBER:
-        renumber(s);
-        return NOOK_OK;
+    case POINTS: return look_at_point(s, s->at++);
+    case CORNERS: return look_at_corner(s, s->at++);
+    case SORT: sort(s); return NOOK_OK;
+    case RUNS: follow_runs(s); return NOOK_OK;
+    case RENUMBER: renumber(s, s->at++); return NOOK_OK;
     default:
         s->mesh->V[s->at] = s->map[s->mesh->V[s->at]];
         s->at++;
@@ -143,26 +129,25 @@ static nook_status work(nook_weld_state *s)
 
 nook_status nook_weld_step(nook_weld_state *s, uint32_t *units)
 {
-    while (s->phase < FINISHED) {
-        nook_status status;
+    while (s->phase != FINISHED) {
+        if (s->phase == FAILED) return (nook_status)s->kept;
         if (s->at == length(s)) {
             next_pass(s);
-            continue;
+        } else if (*units == 0) {
+            return NOOK_MORE;
+        } else {
+            --*units;
+            work(s);
         }
-        if (*units == 0) return NOOK_MORE;
-        --*units;
-        status = work(s);
-        if (status != NOOK_OK) return status;
     }
-    return s->phase == FINISHED ? NOOK_OK : (nook_status)s->kept;
+    return NOOK_OK;
 }
 
 nook_status nook_weld_begin(nook_weld_state *s, nook_mesh *mesh, nook_index *map, nook_index *order)
 {
     if (s == NULL || mesh == NULL) return NOOK_NULL_ARGUMENT;
     memset(s, 0, sizeof *s);
-    s->phase = FAILED;
-    s->kept = (uint32_t)NOOK_NULL_ARGUMENT;
+    fail(s, NOOK_NULL_ARGUMENT, NOOK_NOWHERE, 0);
     if (mesh->nv != 0 && (map == NULL || order == NULL)) return NOOK_NULL_ARGUMENT;
     s->mesh = mesh;
     s->map = map;

@@ -48,9 +48,11 @@ static uint32_t midpoint(uint32_t a, uint32_t b, uint32_t (*seen)[3], uint32_t *
 static void icosphere(void)
 {
     static const float X = 0.525731112f, Z = 0.850650808f;
-    static const uint8_t faces[60] = {0, 4, 1, 0, 9, 4, 9, 5, 4, 4, 5, 8, 4, 8, 1, 8, 10, 1, 8, 3, 10, 5, 3, 8, 5, 2, 3, 2, 7, 3,
-                                      7, 10, 3, 7, 6, 10, 7, 11, 6, 11, 0, 6, 0, 1, 6, 6, 1, 10, 9, 0, 11, 9, 11, 2, 9, 2, 5, 7, 2, 11};
-    const nook_point at[12] = {{-X, 0, Z}, {X, 0, Z}, {-X, 0, -Z}, {X, 0, -Z}, {0, Z, X}, {0, Z, -X}, {0, -Z, X}, {0, -Z, -X}, {Z, X, 0}, {-Z, X, 0}, {Z, -X, 0}, {-Z, -X, 0}};
+    static const uint8_t faces[60] = {0,  4, 1, 0, 9, 4, 9, 5,  4, 4, 5,  8,  4,  8, 1, 8,  10, 1,  8, 3,
+                                      10, 5, 3, 8, 5, 2, 3, 2,  7, 3, 7,  10, 3,  7, 6, 10, 7,  11, 6, 11,
+                                      0,  6, 0, 1, 6, 6, 1, 10, 9, 0, 11, 9,  11, 2, 9, 2,  5,  7,  2, 11};
+    const nook_point at[12] = {{-X, 0, Z}, {X, 0, Z},   {-X, 0, -Z}, {X, 0, -Z}, {0, Z, X},  {0, Z, -X},
+                               {0, -Z, X}, {0, -Z, -X}, {Z, X, 0},   {-Z, X, 0}, {Z, -X, 0}, {-Z, -X, 0}};
     static uint32_t seen[65536][3];
     uint32_t level, t, i, count;
     memcpy(G, at, sizeof at);
@@ -62,7 +64,8 @@ static void icosphere(void)
         count = 0;
         for (t = nt; t-- > 0;) {
             uint32_t a = V[3 * t], b = V[3 * t + 1], c = V[3 * t + 2];
-            uint32_t ab = midpoint(a, b, seen, &count), bc = midpoint(b, c, seen, &count), ca = midpoint(c, a, seen, &count);
+            uint32_t ab = midpoint(a, b, seen, &count), bc = midpoint(b, c, seen, &count),
+                     ca = midpoint(c, a, seen, &count);
             const uint32_t four[12] = {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca};
             for (i = 0; i < 12; i++) corner(12 * t + i, four[i]);
         }
@@ -104,8 +107,10 @@ static void hub(void)
 
 static void write_obj(void)
 {
-    for (uint32_t v = 0; v < nv; v++) printf("v %.9g %.9g %.9g\n", (double)G[v].x, (double)G[v].y, (double)G[v].z);
-    for (uint32_t t = 0; t < nt; t++) printf("f %u %u %u\n", V[3 * t] + 1u, V[3 * t + 1] + 1u, V[3 * t + 2] + 1u);
+    for (uint32_t v = 0; v < nv; v++)
+        printf("v %.9g %.9g %.9g\n", (double)G[v].x, (double)G[v].y, (double)G[v].z);
+    for (uint32_t t = 0; t < nt; t++)
+        printf("f %u %u %u\n", V[3 * t] + 1u, V[3 * t + 1] + 1u, V[3 * t + 2] + 1u);
 }
 
 int main(int argc, char **argv)
@@ -116,8 +121,10 @@ int main(int argc, char **argv)
     int i, times;
     double best = 1e30;
     if (argc < 3) return 2;
-    if (strcmp(argv[1], "hub") == 0) hub();
-    else icosphere();
+    if (strcmp(argv[1], "hub") == 0)
+        hub();
+    else
+        icosphere();
     if (strcmp(argv[1], "shuffled") == 0) shuffle();
     if (strcmp(argv[2], "write") == 0) {
         write_obj();

@@ -1,0 +1,140 @@
+/* model.c -- from a file to tables, through the library's weld and drop.
+ *
+ * Steps: those of the importer, n log2 n for the weld. */
+#include "model.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+
+#include "memory.h"
+
+static bool fits(const imported *in, failure *f)
+{
+    char what[150];
+    if (in->nt > NOOK_MAX_TRIANGLES) {
+        (void)snprintf(what, sizeof what, "%" PRIu32 " triangles, but %d-bit indices hold at most %u", in->nt, NOOK_INDEX_BITS, NOOK_MAX_TRIANGLES);
+        return fail(f, NOOK_NO_CAPACITY, what);
+    }
+    if (in->nv > NOOK_MAX_VERTICES) {
+        (void)snprintf(what, sizeof what, "%" PRIu32 " vertices, but %d-bit indices hold at most %u", in->nv, NOOK_INDEX_BITS, NOOK_MAX_VERTICES);
+        return fail(f, NOOK_NO_CAPACITY, what);
+    }
+    return true;
+}
+
+/* The tables take over what was imported; O and C are added at their size. */
+static bool make_mesh(model *m, imported *in, failure *f)
+{
+    nook_point *G = in->G != NULL ? in->G : take(1, sizeof *G);
+    nook_index *V = in->V != NULL ? in->V : take(1, sizeof *V);
+    nook_index *O = take(3 * (size_t)in->nt, sizeof *O), *C = take(in->nv, sizeof *C);
+    nook_status status = nook_mesh_init(&m->mesh, G, V, O, C, in->nv, in->nt);
+    m->mesh.nv = in->nv;
+    m->mesh.nt = in->nt;
+    m->format = in->format;
+    m->triangles_in = in->nt;
+    m->short_faces = in->short_faces;
+    m->trailing = in->trailing;
+    m->soup = in->soup;
+    in->G = NULL;
+    in->V = NULL;
+    return status == NOOK_OK ? true : fail(f, status, NULL);
+}
+
+static bool scale(nook_mesh *mesh, float factor, failure *f)
+{
+    uint32_t v;
+    nook_status status;
+    for (v = 0; v < mesh->nv && factor != 1.0f; v++) {
+        mesh->G[v] = nook_scaled(mesh->G[v], factor);
+        status = nook_point_status(mesh->G[v]);
+        if (status != NOOK_OK) {
+            (void)fail(f, status, "after scaling, a coordinate is larger than 2^30");
+            return fail_element(f, "vertex", v);
+        }
+    }
+    return true;
+}
+
+static bool weld(nook_mesh *mesh, failure *f)
+{
+    nook_index *map = take(mesh->nv, sizeof *map), *order = take(NOOK_WELD_SCRATCH(mesh->nv), sizeof *order);
+    nook_where where = nook_at(NOOK_NOWHERE, 0);
+    nook_status status = nook_weld(mesh, map, order, &where);
+    free(map);
+    free(order);
+    if (status == NOOK_OK) return true;
+    (void)fail(f, status, NULL);
+    if (where.kind == NOOK_AT_VERTEX) (void)fail_element(f, "vertex", where.index);
+    if (where.kind == NOOK_AT_CORNER) (void)fail_element(f, "corner", where.index);
+    return false;
+}
+
+/* How many vertices a weld would join: tried on a copy of the points alone. */
+static uint32_t joinable(const nook_mesh *mesh)
+{
+    nook_mesh copy = *mesh;
+    uint32_t joined;
+    failure ignored;
+    copy.G = take(mesh->nv, sizeof *copy.G);
+    copy.nt = 0;
+    memcpy(copy.G, mesh->G, mesh->nv * sizeof *copy.G);
+    joined = weld(&copy, &ignored) ? mesh->nv - copy.nv : 0;
+    free(copy.G);
+    return joined;
+}
+
+static bool is_degenerate(const nook_index *corner)
+{
+    return corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
+}
+
+static void drop(model *m, uint32_t max_list)
+{
+    uint32_t t;
+    size_t room = 0, room_at = 0;
+    for (t = 0; t < m->mesh.nt && m->dropped_listed < max_list; t++) {
+        if (!is_degenerate(&m->mesh.V[3u * t])) continue;
+        m->dropped = grow(m->dropped, &room, m->dropped_listed + 1u, sizeof *m->dropped);
+        m->dropped_at = grow(m->dropped_at, &room_at, m->dropped_listed + 1u, sizeof *m->dropped_at);
+        m->dropped_at[m->dropped_listed] = m->mesh.G[m->mesh.V[3u * t]];
+        m->dropped[m->dropped_listed++] = t;
+    }
+    m->degenerate = nook_drop_degenerate(&m->mesh);
+}
+
+static bool fill(model *m, imported *in, const load_options *options, uint32_t max_list, failure *f)
+{
+    if (!fits(in, f) || !make_mesh(m, in, f) || !scale(&m->mesh, options->scale, f)) return false;
+    m->welded = options->weld == WELD_EXACT || (options->weld == WELD_DEFAULT && m->soup);
+    if (m->welded && !weld(&m->mesh, f)) return false;
+    if (!m->welded) m->could_join = joinable(&m->mesh);
+    drop(m, max_list);
+    return true;
+}
+
+bool model_load(model *m, const char *path, const load_options *options, uint32_t max_list, failure *f)
+{
+    bytes file;
+    imported in;
+    bool good;
+    memset(m, 0, sizeof *m);
+    if (!bytes_read(&file, path, f)) return false;
+    good = import_mesh(&in, &file, f);
+    m->format = in.format;
+    bytes_free(&file);
+    good = good && fill(m, &in, options, max_list, f);
+    import_free(&in);
+    return good;
+}
+
+void model_free(model *m)
+{
+    free(m->mesh.G);
+    free(m->mesh.V);
+    free(m->mesh.O);
+    free(m->mesh.C);
+    free(m->dropped);
+    free(m->dropped_at);
+    memset(m, 0, sizeof *m);
+}

@@ -1,0 +1,34 @@
+/* options.h -- the command line: one table of options, and which commands know each of them. */
+#ifndef OPTIONS_H
+#define OPTIONS_H
+
+#include "model.h"
+
+typedef enum command_set { FOR_CHECK = 1, FOR_MAKE = 2 } command_set;
+
+typedef enum option {
+    OPTION_HELP, OPTION_VERSION, OPTION_JSON, OPTION_WELD, OPTION_SCALE, OPTION_REQUIRE, OPTION_MAX_LIST, OPTION_BOARD,
+    OPTION_HTML, OPTION_SVG, OPTION_TRIANGLES, OPTION_DEFECT, OPTION_OUTPUT, OPTION_FORMAT, OPTION_COUNT
+} option;
+
+typedef struct options {
+    bool given[OPTION_COUNT];
+    const char *value[OPTION_COUNT]; /* the last one given */
+    const char **operand;            /* heap; the first is the command */
+    size_t operands;
+} options;
+
+/* False after saying on stderr what is wrong. */
+bool options_parse(options *o, int argc, char **argv);
+/* Refuses options that this command does not know. */
+bool options_allowed(const options *o, unsigned command, const char *name);
+
+/* The values of single options; each false after saying what is wrong, and leaves its result alone
+ * when the option was not given. */
+bool option_count(const options *o, option which, uint32_t *value);
+bool options_for_load(const options *o, load_options *load);
+
+/* One line on stderr; returns false. */
+bool usage_error(const char *what, const char *about);
+
+#endif

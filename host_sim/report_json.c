@@ -1,0 +1,285 @@
+/* report_json.c -- the JSON object of check. Every field is always there; null is "undefined for
+ * this mesh" or "not computed". Any file name gives valid JSON. */
+#include <inttypes.h>
+
+#include "decimal.h"
+#include "report.h"
+
+/* ---- strings --------------------------------------------------------------------------------- */
+
+/* The length of a well-formed UTF-8 sequence at s, or 0. */
+static size_t utf8_length(const unsigned char *s)
+{
+    size_t i, n = s[0] < 0x80 ? 1 : s[0] >= 0xF0 ? 4 : s[0] >= 0xE0 ? 3 : 2;
+    if (n == 1) return 1;
+    if (s[0] < 0xC2 || s[0] > 0xF4) return 0;
+    for (i = 1; i < n; i++) {
+        if ((s[i] & 0xC0) != 0x80) return 0;
+    }
+    if ((s[0] == 0xE0 && s[1] < 0xA0) || (s[0] == 0xED && s[1] > 0x9F)) return 0;
+    if ((s[0] == 0xF0 && s[1] < 0x90) || (s[0] == 0xF4 && s[1] > 0x8F)) return 0;
+    return n;
+}
+
+static void put_string(FILE *to, const char *text)
+{
+    const unsigned char *s = (const unsigned char *)text;
+    (void)fputc('"', to);
+    while (*s != 0) {
+        size_t n = utf8_length(s);
+        if (n == 0) {
+            (void)fputs("\\ufffd", to);
+            s++;
+            continue;
+        }
+        if (*s < 32 || *s == 127) {
+            (void)fprintf(to, "\\u%04x", (unsigned)*s);
+        } else {
+            if (*s == '"' || *s == '\\') (void)fputc('\\', to);
+            (void)fwrite(s, 1, n, to);
+        }
+        s += n;
+    }
+    (void)fputc('"', to);
+}
+
+/* ---- values: a key and what it holds --------------------------------------------------------- */
+
+static void key(FILE *to, const char *name)
+{
+    (void)fprintf(to, ",\"%s\":", name);
+}
+
+static void put_text(FILE *to, const char *name, const char *text)
+{
+    key(to, name);
+    put_string(to, text);
+}
+
+static void put_null(FILE *to, const char *name)
+{
+    key(to, name);
+    (void)fputs("null", to);
+}
+
+static void put_count(FILE *to, const char *name, uint32_t n)
+{
+    if (n == NOOK_UNKNOWN) {
+        put_null(to, name);
+        return;
+    }
+    key(to, name);
+    (void)fprintf(to, "%" PRIu32, n);
+}
+
+static void put_place(FILE *to, const char *name, uint64_t n)
+{
+    if (n == FAILURE_NOWHERE) {
+        put_null(to, name);
+        return;
+    }
+    key(to, name);
+    (void)fprintf(to, "%" PRIu64, n);
+}
+
+static void put_truth(FILE *to, const char *name, nook_truth truth)
+{
+    key(to, name);
+    (void)fputs(truth == NOOK_MAYBE ? "null" : truth == NOOK_YES ? "true" : "false", to);
+}
+
+static void number(FILE *to, float x)
+{
+    bool finite = (nook_float_bits(x) & 0x7F800000u) != 0x7F800000u;
+    (void)fputs(finite ? decimal_of(x).text : "null", to);
+}
+
+static void put_float(FILE *to, const char *name, bool known, float x)
+{
+    key(to, name);
+    if (known) {
+        number(to, x);
+    } else {
+        (void)fputs("null", to);
+    }
+}
+
+static void put_point(FILE *to, const char *name, bool known, nook_point p)
+{
+    if (!known) {
+        put_null(to, name);
+        return;
+    }
+    key(to, name);
+    (void)fputc('[', to);
+    number(to, p.x);
+    (void)fputc(',', to);
+    number(to, p.y);
+    (void)fputc(',', to);
+    number(to, p.z);
+    (void)fputc(']', to);
+}
+
+/* ---- the object ------------------------------------------------------------------------------ */
+
+static void begin_object(FILE *to, const char *file, const char *format, const char *said)
+{
+    (void)fputs("{\"file\":", to);
+    put_string(to, file);
+    if (format != NULL) {
+        put_text(to, "format", format);
+    } else {
+        put_null(to, "format");
+    }
+    put_text(to, "verdict", said);
+    put_count(to, "index_bits", NOOK_INDEX_BITS);
+}
+
+static void put_counts(FILE *to, const model *m, const nook_check_result *r)
+{
+    put_count(to, "vertices", m->mesh.nv);
+    put_count(to, "isolated_vertices", r->isolated_vertices);
+    put_count(to, "triangles_in", m->triangles_in);
+    put_count(to, "degenerate_triangles", m->degenerate);
+    put_count(to, "triangles", m->mesh.nt);
+    put_count(to, "duplicate_triangles", r->duplicate_triangles);
+    put_count(to, "edges", r->edges);
+    put_count(to, "border_edges", r->border_edges);
+    put_count(to, "nonmanifold_edges", r->nonmanifold_edges);
+    put_count(to, "incoherent_edges", r->incoherent_edges);
+    put_count(to, "nonmanifold_vertices", r->survey.nonmanifold_vertices);
+    put_count(to, "border_loops", r->edge_manifold == NOOK_YES ? r->survey.border_loops : NOOK_UNKNOWN);
+    put_count(to, "components", r->survey.components);
+    key(to, "euler");
+    if (r->euler_known) {
+        (void)fprintf(to, "%" PRId32, r->euler);
+    } else {
+        (void)fputs("null", to);
+    }
+}
+
+static void put_measures(FILE *to, const model *m, const nook_check_result *r)
+{
+    static const char *const later[] = {"self_intersections", "t_junctions", "concave_edges", "convex_edges", "flat_edges",
+                                        "folded_edges", "zero_area_triangles", "convex_witness"};
+    size_t i;
+    bool any = m->mesh.nt != 0, volume = any && r->geometry_known && r->watertight == NOOK_YES && r->oriented == NOOK_YES;
+    for (i = 0; i < sizeof later / sizeof later[0]; i++) put_null(to, later[i]);
+    put_float(to, "area", !any || r->geometry_known, any ? r->area : 0);
+    put_float(to, "signed_volume", volume, r->signed_volume);
+    put_null(to, "centroid");
+    put_null(to, "inertia");
+    put_point(to, "bbox_min", any && r->geometry_known, r->box_min);
+    put_point(to, "bbox_max", any && r->geometry_known, r->box_max);
+    put_null(to, "hints");
+}
+
+static void put_shell(FILE *to, const nook_shell *s)
+{
+    bool pairs = !s->has_nonmanifold_edge, solid = pairs && s->border_edges == 0 && s->incoherent_edges == 0;
+    (void)fprintf(to, "{\"first_triangle\":%" PRIu32, s->first_triangle);
+    put_count(to, "triangles", s->triangles);
+    put_count(to, "vertices", s->vertices);
+    put_count(to, "border_loops", pairs ? s->border_loops : NOOK_UNKNOWN);
+    put_count(to, "genus", nook_shell_genus(s));
+    put_float(to, "signed_volume", solid, s->signed_volume);
+    put_truth(to, "oriented", !pairs ? NOOK_MAYBE : s->incoherent_edges == 0 ? NOOK_YES : NOOK_NO);
+    put_truth(to, "orientable", !pairs ? NOOK_MAYBE : s->orientable ? NOOK_YES : NOOK_NO);
+    (void)fputc('}', to);
+}
+
+static void put_shells(FILE *to, const nook_shells *shells)
+{
+    uint32_t k;
+    key(to, "shells");
+    (void)fputc('[', to);
+    for (k = 0; k < shells->count; k++) {
+        if (k != 0) (void)fputc(',', to);
+        put_shell(to, &shells->shell[k]);
+    }
+    (void)fputc(']', to);
+}
+
+static void put_element(FILE *to, const model *m, const verdict *v, nook_status kind, uint32_t i)
+{
+    nook_where where = v->defects[kind].where[i];
+    const nook_index *V = m->mesh.V;
+    (void)fputc('{', to);
+    if (where.kind == NOOK_AT_CORNER) {
+        (void)fprintf(to, "\"corner\":%" PRIu32 ",\"edge\":[%" PRIu32 ",%" PRIu32 "]", where.index,
+                      (uint32_t)V[nook_next(where.index)], (uint32_t)V[nook_prev(where.index)]);
+    } else {
+        (void)fprintf(to, "\"%s\":%" PRIu32, where.kind == NOOK_AT_VERTEX ? "vertex" : "triangle", where.index);
+    }
+    put_point(to, "position", true, place_of(v, m, kind, i));
+    (void)fputc('}', to);
+}
+
+static void put_defect(FILE *to, const model *m, const verdict *v, nook_status kind)
+{
+    const defect *d = &v->defects[kind];
+    uint32_t i;
+    (void)fputs("{\"code\":", to);
+    put_string(to, nook_status_name(kind));
+    put_text(to, "severity", is_error(kind) ? "error" : "warning");
+    put_count(to, "count", d->count);
+    key(to, "elements");
+    (void)fputc('[', to);
+    for (i = 0; i < d->listed && d->where[i].kind != NOOK_NOWHERE; i++) {
+        if (i != 0) (void)fputc(',', to);
+        put_element(to, m, v, kind, i);
+    }
+    (void)fputs("]}", to);
+}
+
+static void put_defects(FILE *to, const model *m, const verdict *v)
+{
+    int kind;
+    bool first = true;
+    key(to, "defects");
+    (void)fputc('[', to);
+    for (kind = 0; kind < NOOK_STATUS_COUNT; kind++) {
+        if (v->defects[kind].count == 0) continue;
+        if (!first) (void)fputc(',', to);
+        first = false;
+        put_defect(to, m, v, (nook_status)kind);
+    }
+    (void)fputc(']', to);
+}
+
+static void put_memory(FILE *to, const nook_mesh *mesh)
+{
+    uint64_t flash = NOOK_MESH_BYTES(mesh->nv, mesh->nt), marks = NOOK_MT_BYTES(mesh->nt) + NOOK_MV_BYTES(mesh->nv);
+    key(to, "memory");
+    (void)fprintf(to, "{\"flash_bytes\":%" PRIu64 ",\"ram_bytes\":%" PRIu64 "}", flash, flash + marks);
+}
+
+void report_json(FILE *to, const char *file, const model *m, const verdict *v, uint32_t required)
+{
+    uint32_t i;
+    begin_object(to, file, m->format, is_sound(v, m, required) ? "sound" : "defective");
+    (void)fprintf(to, ",\"digest\":\"%08" PRIx32 "\"", v->digest);
+    put_counts(to, m, &v->check);
+    for (i = 0; i < PROPERTY_FIELDS; i++) put_truth(to, property_name(i), property_of(v, m, i));
+    put_measures(to, m, &v->check);
+    put_shells(to, &v->shells);
+    put_defects(to, m, v);
+    put_memory(to, &m->mesh);
+    (void)fputs("}\n", to);
+}
+
+void report_json_unreadable(FILE *to, const char *file, const char *format, const failure *f)
+{
+    begin_object(to, file, format, "unreadable");
+    key(to, "error");
+    (void)fputs("{\"code\":", to);
+    put_string(to, f->code);
+    put_place(to, "byte", f->byte);
+    put_place(to, "line", f->line);
+    if (f->element[0] != 0) {
+        put_text(to, "element", f->element);
+    } else {
+        put_null(to, "element");
+    }
+    (void)fputs("}}\n", to);
+}

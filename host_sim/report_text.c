@@ -1,0 +1,186 @@
+/* report_text.c -- the answer of check for people: the verdict, then the reasons and where they
+ * are, then figures. */
+#include <inttypes.h>
+
+#include "decimal.h"
+#include "report.h"
+
+typedef struct wording {
+    nook_status kind;
+    const char *one, *many, *meaning;
+} wording;
+
+static const wording wordings[] = {
+    {NOOK_EMPTY_MESH, "no triangle", "no triangle", "there is nothing to use"},
+    {NOOK_REPEATED_VERTEX, "degenerate triangle", "degenerate triangles", "two corners at the same vertex; numbered as in the file, dropped before everything else"},
+    {NOOK_DUPLICATE_TRIANGLE, "duplicate triangle", "duplicate triangles", "the same three vertices as another triangle"},
+    {NOOK_ISOLATED_VERTEX, "isolated vertex", "isolated vertices", "used by no triangle; harmless, but takes memory"},
+    {NOOK_BORDER_EDGE, "border edge", "border edges", "only one triangle: the surface has a hole or an open rim here"},
+    {NOOK_INCOHERENT_EDGE, "incoherent edge", "incoherent edges", "its two triangles face opposite ways: one of them is turned over"},
+    {NOOK_NONMANIFOLD_EDGE, "non-manifold edge", "non-manifold edges", "more than two triangles: sheets or solids meet here"},
+    {NOOK_NONMANIFOLD_VERTEX, "non-manifold vertex", "non-manifold vertices", "its triangles form more than one fan: parts touch at this point only"},
+    {NOOK_NOT_ORIENTABLE, "one-sided component", "one-sided components", "no choice of directions agrees, as on a Moebius strip"},
+    {NOOK_INSIDE_OUT, "shell inside out", "shells inside out", "its volume is negative: the triangles face inwards, or it bounds a cavity"},
+};
+
+static wording wording_of(nook_status kind)
+{
+    wording w;
+    size_t i;
+    for (i = 0; i < sizeof wordings / sizeof wordings[0]; i++) {
+        if (wordings[i].kind == kind) return wordings[i];
+    }
+    w.kind = kind;
+    w.one = w.many = nook_status_text(kind);
+    w.meaning = "the tables of the mesh do not agree";
+    return w;
+}
+
+static void print_count(FILE *to, nook_status kind, uint32_t count)
+{
+    wording w = wording_of(kind);
+    if (kind == NOOK_EMPTY_MESH) {
+        (void)fputs(w.one, to);
+    } else {
+        (void)fprintf(to, "%" PRIu32 " %s", count, count == 1u ? w.one : w.many);
+    }
+}
+
+static void print_point(FILE *to, nook_point p)
+{
+    decimal x = decimal_of(p.x), y = decimal_of(p.y), z = decimal_of(p.z);
+    (void)fprintf(to, "(%s, %s, %s)", x.text, y.text, z.text);
+}
+
+/* ---- verdict ----------------------------------------------------------------------------------- */
+
+static void print_verdict(FILE *to, const char *file, const model *m, const verdict *v, uint32_t required)
+{
+    bool sound = is_sound(v, m, required);
+    const char *before = ": DEFECTIVE: ";
+    int kind;
+    (void)fputs(file, to);
+    for (kind = 0; kind < NOOK_STATUS_COUNT && !sound; kind++) {
+        if (v->defects[kind].count == 0 || !is_error((nook_status)kind)) continue;
+        (void)fputs(before, to);
+        print_count(to, (nook_status)kind, v->defects[kind].count);
+        before = ", ";
+    }
+    if (sound) (void)fputs(": sound", to);
+    if (!sound && before[0] == ':') (void)fputs(": DEFECTIVE: a required property does not hold", to);
+    (void)fputs(" (self-intersection not checked)\n", to);
+}
+
+/* Required properties that do not hold; what nothing computes yet is said to be so. */
+static void print_unmet(FILE *to, const model *m, const verdict *v, uint32_t required)
+{
+    const char *before = "  required, but not so: ";
+    uint32_t i;
+    for (i = 0; i < PROPERTY_COUNT; i++) {
+        nook_truth truth = property_of(v, m, i);
+        if ((required >> i & 1u) == 0 || truth == NOOK_YES || i == PROPERTY_COUNT - 1u) continue;
+        (void)fprintf(to, "%s%s%s", before, property_name(i), truth == NOOK_MAYBE ? " (unknown)" : "");
+        before = ", ";
+    }
+    if (before[0] == ',') (void)fputc('\n', to);
+}
+
+/* ---- reasons ----------------------------------------------------------------------------------- */
+
+static void print_element(FILE *to, const model *m, const verdict *v, nook_status kind, uint32_t i)
+{
+    nook_where where = v->defects[kind].where[i];
+    const nook_index *V = m->mesh.V;
+    if (where.kind == NOOK_AT_CORNER) {
+        (void)fprintf(to, "      edge %" PRIu32 "-%" PRIu32 " of triangle %" PRIu32 " at ", (uint32_t)V[nook_next(where.index)],
+                      (uint32_t)V[nook_prev(where.index)], nook_triangle(where.index));
+    } else {
+        (void)fprintf(to, "      %s %" PRIu32 " at ", where.kind == NOOK_AT_VERTEX ? "vertex" : "triangle", where.index);
+    }
+    print_point(to, place_of(v, m, kind, i));
+    (void)fputc('\n', to);
+}
+
+static void print_defect(FILE *to, const model *m, const verdict *v, nook_status kind)
+{
+    const defect *d = &v->defects[kind];
+    uint32_t i, listed = kind == NOOK_EMPTY_MESH ? d->count : d->listed;
+    (void)fputs(is_error(kind) ? "  " : "  note: ", to);
+    print_count(to, kind, d->count);
+    (void)fprintf(to, ": %s\n", wording_of(kind).meaning);
+    for (i = 0; i < listed && kind != NOOK_EMPTY_MESH; i++) print_element(to, m, v, kind, i);
+    if (listed != 0 && d->count > listed) (void)fprintf(to, "      ... and %" PRIu32 " more\n", d->count - listed);
+}
+
+static void print_reasons(FILE *to, const model *m, const verdict *v)
+{
+    int kind;
+    for (kind = 0; kind < NOOK_STATUS_COUNT; kind++) {
+        if (v->defects[kind].count != 0) print_defect(to, m, v, (nook_status)kind);
+    }
+    if (m->could_join != 0 && v->check.border_edges != 0) {
+        (void)fprintf(to, "  hint: %" PRIu32 " vertices have the coordinates of another; --weld exact joins them and may close the surface\n", m->could_join);
+    }
+}
+
+/* ---- figures ----------------------------------------------------------------------------------- */
+
+static void print_number(FILE *to, uint32_t n)
+{
+    if (n == NOOK_UNKNOWN) {
+        (void)fputs("unknown", to);
+    } else {
+        (void)fprintf(to, "%" PRIu32, n);
+    }
+}
+
+static void print_shells(FILE *to, const verdict *v)
+{
+    uint32_t k;
+    (void)fputs("  shells     ", to);
+    print_number(to, v->check.survey.components);
+    for (k = 0; k < v->shells.count && k < 5u; k++) {
+        uint32_t genus = nook_shell_genus(&v->shells.shell[k]);
+        (void)fprintf(to, "%s%" PRIu32 " triangles", k == 0 ? ": " : "; ", v->shells.shell[k].triangles);
+        if (genus != NOOK_UNKNOWN) (void)fprintf(to, ", genus %" PRIu32, genus);
+    }
+    (void)fputs(v->shells.count > 5u ? "; ...\n" : "\n", to);
+}
+
+static void print_measures(FILE *to, const model *m, const nook_check_result *r)
+{
+    bool solid = r->watertight == NOOK_YES && r->oriented == NOOK_YES;
+    if (!r->geometry_known || m->mesh.nt == 0) return;
+    (void)fprintf(to, "  area       %s\n", decimal_of(r->area).text);
+    (void)fprintf(to, "  volume     %s\n", solid ? decimal_of(r->signed_volume).text : "undefined (not watertight and oriented)");
+    (void)fputs("  box        ", to);
+    print_point(to, r->box_min);
+    (void)fputs(" to ", to);
+    print_point(to, r->box_max);
+    (void)fputc('\n', to);
+}
+
+static void print_figures(FILE *to, const model *m, const verdict *v)
+{
+    const nook_check_result *r = &v->check;
+    size_t tables = NOOK_MESH_BYTES(m->mesh.nv, m->mesh.nt);
+    (void)fprintf(to, "  format     %s, %s\n", m->format, m->welded ? "equal vertices welded" : "vertices as in the file");
+    (void)fprintf(to, "  triangles  %" PRIu32 "\n  vertices   %" PRIu32 "\n  edges      ", m->mesh.nt, m->mesh.nv);
+    print_number(to, r->edges);
+    (void)fputc('\n', to);
+    print_shells(to, v);
+    print_measures(to, m, r);
+    if (v->outward != NOOK_MAYBE) {
+        (void)fprintf(to, "  outward    %s; cavities not examined\n",
+                      v->outward == NOOK_YES ? "every shell's own volume is positive" : "some shell's own volume is not positive");
+    }
+    (void)fprintf(to, "  memory     %lu bytes of tables with %d-bit indices; digest %08" PRIx32 "\n", (unsigned long)tables, NOOK_INDEX_BITS, v->digest);
+}
+
+void report_text(FILE *to, const char *file, const model *m, const verdict *v, uint32_t required)
+{
+    print_verdict(to, file, m, v, required);
+    print_unmet(to, m, v, required);
+    print_reasons(to, m, v);
+    print_figures(to, m, v);
+}
