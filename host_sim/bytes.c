@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "memory.h"
+#include "heap.h"
 
 #define LARGEST_FILE ((size_t)0xFFFFFFFEu)
 
@@ -27,7 +27,8 @@ static bool read_all(bytes *b, FILE *from, failure *f)
         errno = 0;
         got = fread(b->data + b->size, 1, b->room - b->size, from);
         b->size += got;
-        if (b->size > LARGEST_FILE) return fail(f, NOOK_NO_CAPACITY, "the file is larger than 4 GiB, the limit of this program");
+        if (b->size > LARGEST_FILE)
+            return fail(f, NOOK_NO_CAPACITY, "the file is larger than 4 GiB, the limit of this program");
     } while (got != 0);
     return ferror(from) ? fail_io(f, "cannot_read", errno) : true;
 }
@@ -56,11 +57,14 @@ static bool write_stream(const bytes *b, FILE *to)
 static FILE *open_beside(const char *path, char *name, size_t room)
 {
     FILE *to;
+    mode_t mask;
     int fd;
     (void)snprintf(name, room, "%s.XXXXXX", path);
     fd = mkstemp(name);
     if (fd < 0) return NULL;
-    (void)fchmod(fd, S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
+    mask = umask(0); /* the permissions that fopen() would have given */
+    (void)umask(mask);
+    (void)fchmod(fd, (S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH) & ~mask);
     to = fdopen(fd, "wb");
     if (to == NULL) {
         (void)close(fd);

@@ -46,9 +46,11 @@ static bool parse(const options *o, check_options *c)
 {
     c->max_list = 10;
     c->json = o->given[OPTION_JSON];
-    if (not_yet(o, OPTION_BOARD, "--board") || not_yet(o, OPTION_HTML, "--html") || not_yet(o, OPTION_SVG, "--svg")) return false;
+    if (not_yet(o, OPTION_BOARD, "--board") || not_yet(o, OPTION_HTML, "--html")) return false;
+    if (not_yet(o, OPTION_SVG, "--svg")) return false;
     if (!options_for_load(o, &c->load) || !option_count(o, OPTION_MAX_LIST, &c->max_list)) return false;
-    return parse_required(o->given[OPTION_REQUIRE] ? o->value[OPTION_REQUIRE] : PROPERTIES_BY_DEFAULT, &c->required);
+    return parse_required(o->given[OPTION_REQUIRE] ? o->value[OPTION_REQUIRE] : PROPERTIES_BY_DEFAULT,
+                          &c->required);
 }
 
 static int unreadable(const char *file, const char *format, const failure *f, const check_options *c)
@@ -63,7 +65,8 @@ static void print_notes(const char *file, const model *m)
     char note[100];
     if (m->trailing) print_message(stderr, file, "note: bytes after the declared facets are ignored");
     if (m->short_faces != 0) {
-        (void)snprintf(note, sizeof note, "note: %" PRIu32 " %s of fewer than 3 corners skipped", m->short_faces, m->short_faces == 1u ? "face" : "faces");
+        (void)snprintf(note, sizeof note, "note: %" PRIu32 " %s of fewer than 3 corners skipped",
+                       m->short_faces, m->short_faces == 1u ? "face" : "faces");
         print_message(stderr, file, note);
     }
 }
@@ -93,6 +96,14 @@ static void tally(int status, size_t count[3], int *worst)
     if (status > *worst) *worst = status;
 }
 
+static void print_summary(const size_t count[3])
+{
+    unsigned long all = (unsigned long)(count[0] + count[1] + count[2]);
+    (void)fprintf(stderr, "nook: %lu %s: %lu sound, %lu defective, %lu unreadable\n", all,
+                  all == 1 ? "file" : "files", (unsigned long)count[0], (unsigned long)count[1],
+                  (unsigned long)count[2]);
+}
+
 int cmd_check(const options *o)
 {
     check_options c;
@@ -100,16 +111,16 @@ int cmd_check(const options *o)
     failure f;
     size_t i, k, count[3] = {0, 0, 0};
     int worst = 0;
+    bool folder = false;
     if (!parse(o, &c)) return 2;
     if (o->operands < 2) return usage_error("check needs a file (see nook check --help)", "") ? 0 : 2;
     for (i = 1; i < o->operands; i++) {
-        if (!files_add(&list, o->operand[i], &f)) tally(unreadable(o->operand[i], NULL, &f, &c), count, &worst);
+        if (!files_add(&list, o->operand[i], &f))
+            tally(unreadable(o->operand[i], NULL, &f, &c), count, &worst);
+        folder = folder || list.count == 0 || strcmp(list.path[0], o->operand[i]) != 0;
         for (k = 0; k < list.count; k++) tally(check_file(list.path[k], &c), count, &worst);
         files_free(&list);
     }
-    if (count[0] + count[1] + count[2] > 1) {
-        (void)fprintf(stderr, "nook: %lu files: %lu sound, %lu defective, %lu unreadable\n", (unsigned long)(count[0] + count[1] + count[2]),
-                      (unsigned long)count[0], (unsigned long)count[1], (unsigned long)count[2]);
-    }
+    if (folder || count[0] + count[1] + count[2] > 1) print_summary(count);
     return worst;
 }

@@ -22,10 +22,14 @@ static bool choose_format(const options *o, file_format *format)
     const char *out = o->value[OPTION_OUTPUT];
     if (o->given[OPTION_FORMAT]) {
         *format = format_named(o->value[OPTION_FORMAT]);
-        return *format != NO_FORMAT ? true : usage_error("the formats are stl, obj, off and ply, not ", o->value[OPTION_FORMAT]);
+        return *format != NO_FORMAT
+                   ? true
+                   : usage_error("the formats are stl, obj, off and ply, not ", o->value[OPTION_FORMAT]);
     }
     *format = format_of_path(out);
-    return *format != NO_FORMAT ? true : usage_error("no format: end the name in .stl, .obj, .off or .ply, or give --format: ", out);
+    return *format != NO_FORMAT
+               ? true
+               : usage_error("no format: end the name in .stl, .obj, .off or .ply, or give --format: ", out);
 }
 
 static bool draw(drawing *d, const options *o, uint32_t triangles, file_format format)
@@ -33,7 +37,8 @@ static bool draw(drawing *d, const options *o, uint32_t triangles, file_format f
     const char *kind = o->value[OPTION_DEFECT];
     if (!draw_shape(d, o->operand[1], triangles)) return usage_error("the shapes are: ", shape_names);
     if (kind == NULL) return true;
-    if (format == FORMAT_STL && strcmp(kind, "isolated") == 0) return usage_error("STL has no vertices of their own, so none can be isolated", "");
+    if (format == FORMAT_STL && strcmp(kind, "isolated") == 0)
+        return usage_error("STL has no vertices of their own, so none can be isolated", "");
     return spoil(d, kind) ? true : usage_error("the defects are: ", defect_names);
 }
 

@@ -9,12 +9,17 @@ decimal decimal_of(float x)
     float back = 0;
     int digits;
     if ((nook_float_bits(x) & 0x7F800000u) == 0x7F800000u) {
-        (void)snprintf(d.text, sizeof d.text, "%s", (nook_float_bits(x) & 0x7FFFFFu) != 0 ? "nan" : x < 0 ? "-inf" : "inf");
+        (void)snprintf(d.text, sizeof d.text, "%s",
+                       (nook_float_bits(x) & 0x7FFFFFu) != 0 ? "nan"
+                       : x < 0                               ? "-inf"
+                                                             : "inf");
         return d;
     }
     for (digits = 1; digits <= 9; digits++) {
         (void)snprintf(d.text, sizeof d.text, "%.*g", digits, (double)x);
-        if (nook_parse_float(d.text, strlen(d.text), &back) == NOOK_OK && nook_float_bits(back) == nook_float_bits(x)) break;
+        if (nook_parse_float(d.text, strlen(d.text), &back) == NOOK_OK &&
+            nook_float_bits(back) == nook_float_bits(x))
+            break;
     }
     return d;
 }

@@ -74,7 +74,8 @@ static void add_faces(bytes *out, const drawing *d, const char *before, uint32_t
     uint32_t t;
     for (t = 0; t < d->nt; t++) {
         const uint32_t *v = &d->V[3 * (size_t)t];
-        (void)snprintf(line, sizeof line, "%s%" PRIu32 " %" PRIu32 " %" PRIu32 "\n", before, v[0] + base, v[1] + base, v[2] + base);
+        (void)snprintf(line, sizeof line, "%s%" PRIu32 " %" PRIu32 " %" PRIu32 "\n", before, v[0] + base,
+                       v[1] + base, v[2] + base);
         bytes_add_text(out, line);
     }
 }
@@ -99,7 +100,8 @@ static void export_ply(bytes *out, const drawing *d)
     char header[320];
     uint32_t i;
     (void)snprintf(header, sizeof header,
-                   "ply\nformat binary_little_endian 1.0\ncomment written by nook\nelement vertex %" PRIu32 "\n"
+                   "ply\nformat binary_little_endian 1.0\ncomment written by nook\nelement vertex %" PRIu32
+                   "\n"
                    "property float x\nproperty float y\nproperty float z\nelement face %" PRIu32 "\n"
                    "property list uchar uint vertex_indices\nend_header\n",
                    d->nv, d->nt);

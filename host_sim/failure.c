@@ -32,7 +32,7 @@ bool fail_element(failure *f, const char *kind, uint64_t number)
     return false;
 }
 
-static void print_name(FILE *to, const char *name)
+void print_name(FILE *to, const char *name)
 {
     for (; *name != 0; name++) (void)fputc((unsigned char)*name < 32 || *name == 127 ? '?' : *name, to);
 }
@@ -48,8 +48,10 @@ void print_failure(FILE *to, const char *file, const failure *f)
 {
     char line[320];
     int used = snprintf(line, sizeof line, "%s", f->what);
-    if (f->byte != FAILURE_NOWHERE) used += snprintf(line + used, sizeof line - (size_t)used, ", byte %" PRIu64, f->byte);
-    if (f->line != FAILURE_NOWHERE) used += snprintf(line + used, sizeof line - (size_t)used, ", line %" PRIu64, f->line);
+    if (f->byte != FAILURE_NOWHERE)
+        used += snprintf(line + used, sizeof line - (size_t)used, ", byte %" PRIu64, f->byte);
+    if (f->line != FAILURE_NOWHERE)
+        used += snprintf(line + used, sizeof line - (size_t)used, ", line %" PRIu64, f->line);
     if (f->element[0] != 0) (void)snprintf(line + used, sizeof line - (size_t)used, ", %s", f->element);
     print_message(to, file, line);
 }

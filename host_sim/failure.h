@@ -25,8 +25,10 @@ bool fail_at_line(failure *f, nook_status status, const char *what, uint64_t lin
 /* Add the element at fault; returns false. */
 bool fail_element(failure *f, const char *kind, uint64_t number);
 
-/* The line for stderr: nook: FILE: what, where. Control characters of a file name become '?'. */
+/* The line for stderr: nook: FILE: what, where. */
 void print_failure(FILE *to, const char *file, const failure *f);
+/* A file name on one line: control characters become '?'. */
+void print_name(FILE *to, const char *name);
 void print_message(FILE *to, const char *file, const char *message);
 
 #endif

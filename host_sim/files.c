@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 
-#include "memory.h"
+#include "heap.h"
 #include "scan.h"
 
 static void add(files *list, const char *folder, const char *name)

@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-#include "memory.h"
+#include "heap.h"
 #include "scan.h"
 
 void import_vertex(imported *m, nook_point p)
@@ -65,7 +65,8 @@ static bool is_exact_binary_stl(const uint8_t *data, size_t size)
 static bool is_utf16(const uint8_t *data, size_t size)
 {
     size_t i, n = size < 64 ? size : 64, zeros[2] = {0, 0};
-    if (size >= 2 && ((data[0] == 0xFF && data[1] == 0xFE) || (data[0] == 0xFE && data[1] == 0xFF))) return true;
+    if (size >= 2 && ((data[0] == 0xFF && data[1] == 0xFE) || (data[0] == 0xFE && data[1] == 0xFF)))
+        return true;
     for (i = 0; i < n; i++) {
         if (data[i] == 0) zeros[i & 1]++;
     }
@@ -95,9 +96,10 @@ bool import_mesh(imported *m, const bytes *b, failure *f)
     const uint8_t *data = b->data;
     size_t size = b->size;
     memset(m, 0, sizeof *m);
-    if (size == 0) return fail(f, NOOK_UNKNOWN_FORMAT, "the file is empty (0 bytes)");
+    if (size == 0) return fail_at_byte(f, NOOK_UNKNOWN_FORMAT, "the file is empty", 0);
     if (is_exact_binary_stl(data, size)) return import_stl(m, data, size, f);
-    if (is_utf16(data, size)) return fail(f, NOOK_UNKNOWN_FORMAT, "text in UTF-16 is not read; save it as UTF-8 or ASCII");
+    if (is_utf16(data, size))
+        return fail(f, NOOK_UNKNOWN_FORMAT, "text in UTF-16 is not read; save it as UTF-8 or ASCII");
     if (size >= 3 && data[0] == 0xEF && data[1] == 0xBB && data[2] == 0xBF) {
         data += 3;
         size -= 3;

@@ -16,8 +16,8 @@ typedef struct imported {
     nook_index *V;
     uint32_t nv, nt; /* in the file; beyond what the index width can hold they are counted, not stored */
     size_t room_G, room_V;
-    uint32_t short_faces; /* faces of fewer than 3 corners, skipped */
-    bool trailing;        /* bytes after the announced facets, ignored */
+    uint32_t short_faces;          /* faces of fewer than 3 corners, skipped */
+    bool trailing;                 /* bytes after the announced facets, ignored */
     uint32_t first, last, corners; /* of the polygon being cut */
 } imported;
 

@@ -15,8 +15,9 @@ static void begin(scan *s, const uint8_t *data, size_t size)
 static bool is_numeric(word w)
 {
     float x;
-    return w.length != 0 && ((*w.at >= '0' && *w.at <= '9') || word_float(w, &x) != NOOK_BAD_NUMBER ||
-                             ((*w.at == '-' || *w.at == '+' || *w.at == '.') && w.length > 1));
+    size_t sign = *w.at == '-' || *w.at == '+' ? 1 : 0;
+    if (word_float(w, &x) != NOOK_BAD_NUMBER) return true;
+    return w.length > sign && w.at[sign] >= '0' && w.at[sign] <= '9'; /* "7/1/2" */
 }
 
 static bool is_statement(scan *s)
@@ -27,7 +28,7 @@ static bool is_statement(scan *s)
     size_t i;
     if (!scan_word(s, &keyword)) return false;
     for (i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        if (word_is(keyword, numbers[i])) return !scan_word(s, &w) || is_numeric(w);
+        if (word_is(keyword, numbers[i])) return scan_word(s, &w) && is_numeric(w);
     }
     for (i = 0; i < sizeof names / sizeof names[0]; i++) {
         if (word_is(keyword, names[i])) return true;
@@ -91,10 +92,12 @@ static bool face_vertex(const imported *m, word w, uint32_t all, uint32_t line, 
     const char *slash = memchr(w.at, '/', w.length);
     int64_t i;
     if (slash != NULL) w.length = (size_t)(slash - w.at);
-    if (!word_integer(w, &i)) return fail_at_line(f, NOOK_BAD_NUMBER, "a vertex index is not an integer", line);
+    if (!word_integer(w, &i))
+        return fail_at_line(f, NOOK_BAD_NUMBER, "a vertex index is not an integer", line);
     if (i < 0) i += (int64_t)m->nv + 1;
     if (i < 1 || i > (int64_t)all) {
-        return fail_at_line(f, NOOK_INDEX_OUT_OF_RANGE, "a face names a vertex that does not exist (indices start at 1)", line);
+        return fail_at_line(f, NOOK_INDEX_OUT_OF_RANGE,
+                            "a face names a vertex that does not exist (indices start at 1)", line);
     }
     *v = (uint32_t)(i - 1);
     return true;

@@ -90,12 +90,17 @@ static bool read_face(imported *m, scan *s, failure *f)
     word w;
     int64_t n, i, v;
     if (!scan_any_word(s, &w)) return ends_early(s, f);
-    if (!word_integer(w, &n) || n < 0) return fail_at_line(f, NOOK_BAD_NUMBER, "the number of corners is not a count", s->line);
+    if (!word_integer(w, &n) || n < 0)
+        return fail_at_line(f, NOOK_BAD_NUMBER, "the number of corners is not a count", s->line);
     polygon_begin(m);
     for (i = 0; i < n; i++) {
         if (!scan_any_word(s, &w)) return ends_early(s, f);
-        if (!word_integer(w, &v)) return fail_at_line(f, NOOK_BAD_NUMBER, "a vertex index is not an integer", s->line);
-        if (v < 0 || v >= (int64_t)m->nv) return fail_at_line(f, NOOK_INDEX_OUT_OF_RANGE, "a face names a vertex that does not exist", s->line);
+        if (!word_integer(w, &v))
+            return fail_at_line(f, NOOK_BAD_NUMBER, "a vertex index is not an integer", s->line);
+        if (v < 0 || v >= (int64_t)m->nv) {
+            return fail_at_line(f, NOOK_INDEX_OUT_OF_RANGE, "a face names a vertex that does not exist",
+                                s->line);
+        }
         polygon_corner(m, (uint32_t)v);
     }
     polygon_end(m);
@@ -110,10 +115,13 @@ static bool read_header(scan *s, int64_t *nv, int64_t *nf, failure *f)
     bool other;
     if (!scan_any_word(s, &w)) return ends_early(s, f);
     (void)take_magic(&w, &other);
-    if (other) return fail_at_line(f, NOOK_UNKNOWN_FORMAT, "OFF of other than three dimensions is not read", s->line);
+    if (other)
+        return fail_at_line(f, NOOK_UNKNOWN_FORMAT, "OFF of other than three dimensions is not read",
+                            s->line);
     ahead = *s;
     if (w.length == 0 && scan_word(&ahead, &w)) {
-        if (word_is(w, "BINARY")) return fail_at_line(f, NOOK_UNKNOWN_FORMAT, "binary OFF is not read", s->line);
+        if (word_is(w, "BINARY"))
+            return fail_at_line(f, NOOK_UNKNOWN_FORMAT, "binary OFF is not read", s->line);
         w.length = 0;
     }
     if (!read_count(s, &w, nv, f) || !read_count(s, &w, nf, f)) return false;
@@ -131,7 +139,10 @@ bool import_off(imported *m, const uint8_t *data, size_t size, failure *f)
     if (!read_header(&s, &nv, &nf, f)) return false;
     /* "0 0 0" and a line end are the least for a vertex, "0" and a line end for a face */
     if (nv > (int64_t)scan_left(&s) / 5 || nf > (int64_t)scan_left(&s)) {
-        (void)snprintf(what, sizeof what, "truncated: the header announces %" PRId64 " vertices and %" PRId64 " faces, more than the file can hold", nv, nf);
+        (void)snprintf(what, sizeof what,
+                       "truncated: %" PRId64 " vertices and %" PRId64
+                       " faces announced, more than the file can hold",
+                       nv, nf);
         return fail_at_line(f, NOOK_TRUNCATED, what, s.line > 1 ? s.line - 1 : 1);
     }
     for (i = 0; i < nv; i++) {

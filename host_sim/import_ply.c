@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #include "import.h"
-#include "memory.h"
+#include "heap.h"
 #include "scan.h"
 
 typedef enum type { NO_TYPE, INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 } type;
@@ -16,7 +16,7 @@ typedef enum form { NO_FORM, TEXT, LITTLE, BIG } form;
 typedef enum sort { OTHER, VERTEX, FACE } sort;
 
 static const char *const type_names[][2] = {
-    {"", ""},          {"char", "int8"},   {"uchar", "uint8"},   {"short", "int16"},    {"ushort", "uint16"},
+    {"", ""},         {"char", "int8"},   {"uchar", "uint8"},   {"short", "int16"},    {"ushort", "uint16"},
     {"int", "int32"}, {"uint", "uint32"}, {"float", "float32"}, {"double", "float64"},
 };
 static const uint8_t type_size[] = {0, 1, 1, 2, 2, 4, 4, 4, 8};
@@ -37,9 +37,10 @@ typedef struct ply {
     element *element;
     size_t properties, room_p, elements, room_e;
     form form;
-    scan text;                      /* the header, then the rows of the text form */
+    scan text;                       /* the header, then the rows of the text form */
     const uint8_t *begin, *at, *end; /* the rows of a binary form */
-    int64_t vertices;               /* declared */
+    const uint8_t *value;            /* where the value last read begins */
+    int64_t vertices;                /* declared */
     imported *m;
     failure *f;
 } ply;
@@ -86,8 +87,10 @@ static bool read_element(ply *p)
     p->element = grow(p->element, &p->room_e, p->elements + 1, sizeof *p->element);
     e = &p->element[p->elements];
     memset(e, 0, sizeof *e);
-    if (!scan_word(&p->text, &name) || !scan_word(&p->text, &w)) return header_fails(p, NOOK_BAD_SYNTAX, "an element needs a name and a count");
-    if (!word_integer(w, &e->rows) || e->rows < 0) return header_fails(p, NOOK_BAD_NUMBER, "the count of an element is not a number");
+    if (!scan_word(&p->text, &name) || !scan_word(&p->text, &w))
+        return header_fails(p, NOOK_BAD_SYNTAX, "an element needs a name and a count");
+    if (!word_integer(w, &e->rows) || e->rows < 0)
+        return header_fails(p, NOOK_BAD_NUMBER, "the count of an element is not a number");
     if (word_is(name, "vertex") && !has_element(p, VERTEX)) e->sort = VERTEX;
     if (word_is(name, "face") && !has_element(p, FACE)) e->sort = FACE;
     if (e->sort == VERTEX) p->vertices = e->rows;
@@ -99,7 +102,8 @@ static bool read_element(ply *p)
 static role role_of(const ply *p, word name, bool list)
 {
     sort of = p->element[p->elements - 1].sort;
-    if (of == FACE && list && (word_is(name, "vertex_indices") || word_is(name, "vertex_index"))) return CORNERS;
+    if (of == FACE && list && (word_is(name, "vertex_indices") || word_is(name, "vertex_index")))
+        return CORNERS;
     if (of != VERTEX || list) return PASSED_OVER;
     if (word_is(name, "x")) return X;
     if (word_is(name, "y")) return Y;
@@ -112,19 +116,24 @@ static bool read_property(ply *p)
     word w;
     bool list;
     if (p->elements == 0) return header_fails(p, NOOK_BAD_SYNTAX, "a property before any element");
-    if (!scan_word(&p->text, &w)) return header_fails(p, NOOK_BAD_SYNTAX, "a property needs a type and a name");
+    if (!scan_word(&p->text, &w))
+        return header_fails(p, NOOK_BAD_SYNTAX, "a property needs a type and a name");
     list = word_is(w, "list");
     if (list) {
-        if (!scan_word(&p->text, &w)) return header_fails(p, NOOK_BAD_SYNTAX, "a list needs two types and a name");
+        if (!scan_word(&p->text, &w))
+            return header_fails(p, NOOK_BAD_SYNTAX, "a list needs two types and a name");
         q.count = type_of(w);
-        if (q.count == NO_TYPE || q.count >= FLOAT32) return header_fails(p, NOOK_BAD_SYNTAX, "a list is counted by an integer type");
-        if (!scan_word(&p->text, &w)) return header_fails(p, NOOK_BAD_SYNTAX, "a list needs two types and a name");
+        if (q.count == NO_TYPE || q.count >= FLOAT32)
+            return header_fails(p, NOOK_BAD_SYNTAX, "a list is counted by an integer type");
+        if (!scan_word(&p->text, &w))
+            return header_fails(p, NOOK_BAD_SYNTAX, "a list needs two types and a name");
     }
     q.of = type_of(w);
     if (q.of == NO_TYPE) return header_fails(p, NOOK_BAD_SYNTAX, "unknown property type");
     if (!scan_word(&p->text, &w)) return header_fails(p, NOOK_BAD_SYNTAX, "a property needs a name");
     q.role = role_of(p, w, list);
-    if (q.role == CORNERS && q.of >= FLOAT32) return header_fails(p, NOOK_BAD_SYNTAX, "vertex indices must be of an integer type");
+    if (q.role == CORNERS && q.of >= FLOAT32)
+        return header_fails(p, NOOK_BAD_SYNTAX, "vertex indices must be of an integer type");
     p->property = grow(p->property, &p->room_p, p->properties + 1, sizeof *p->property);
     p->property[p->properties++] = q;
     p->element[p->elements - 1].properties++;
@@ -187,7 +196,7 @@ static void begin_rows(ply *p, const uint8_t *data)
     while (at < end && *at != '\n' && *at != '\r') at++;
     if (at < end && *at++ == '\r' && has_lf && at < end && *at == '\n') at++;
     p->begin = data;
-    p->at = at;
+    p->at = p->value = at;
     p->end = end;
     (void)scan_next_line(&p->text);
 }
@@ -197,7 +206,7 @@ static void begin_rows(ply *p, const uint8_t *data)
 static bool row_fails(ply *p, nook_status status, const char *what)
 {
     if (p->form == TEXT) return fail_at_line(p->f, status, what, p->text.line);
-    return fail_at_byte(p->f, status, what, (uint64_t)(p->at - p->begin));
+    return fail_at_byte(p->f, status, what, (uint64_t)(p->value - p->begin));
 }
 
 static bool ends_early(ply *p)
@@ -209,6 +218,7 @@ static bool ends_early(ply *p)
 static bool read_bits(ply *p, uint32_t size, uint64_t *bits)
 {
     uint32_t i;
+    p->value = p->at;
     if ((size_t)(p->end - p->at) < size) return ends_early(p);
     for (*bits = 0, i = 0; i < size; i++) {
         *bits |= (uint64_t)p->at[p->form == BIG ? size - 1u - i : i] << (8u * i);
@@ -228,7 +238,8 @@ static bool read_integer(ply *p, type of, int64_t *i)
     uint64_t bits, sign;
     if (p->form == TEXT) {
         if (!read_word(p, &w)) return false;
-        return word_integer(w, i) ? true : row_fails(p, NOOK_BAD_NUMBER, "not an integer where a list needs one");
+        return word_integer(w, i) ? true
+                                  : row_fails(p, NOOK_BAD_NUMBER, "not an integer where a list needs one");
     }
     if (!read_bits(p, type_size[of], &bits)) return false;
     sign = (uint64_t)1 << (8u * type_size[of] - 1u);
@@ -264,7 +275,7 @@ static bool read_float(ply *p, type of, float *x)
         *x = (float)i;
         return true;
     }
-    if (!read_bits(p, type_size[of], &bits)) return false;
+    if (!read_bits(p, of == FLOAT32 ? 4u : 8u, &bits)) return false;
     memcpy(&d, &bits, sizeof d);
     *x = of == FLOAT32 ? nook_float_from((uint32_t)bits) : narrowed(d);
     return true;
@@ -273,6 +284,7 @@ static bool read_float(ply *p, type of, float *x)
 static bool pass_over(ply *p, type of, int64_t count)
 {
     word w;
+    p->value = p->at;
     if (p->form != TEXT) {
         if (count > (int64_t)(p->end - p->at) / type_size[of]) return ends_early(p);
         p->at += count * type_size[of];
@@ -290,7 +302,8 @@ static bool read_corners(ply *p, type of, int64_t count)
     polygon_begin(p->m);
     for (; count > 0; count--) {
         if (!read_integer(p, of, &v)) return false;
-        if (v < 0 || v >= p->vertices) return row_fails(p, NOOK_INDEX_OUT_OF_RANGE, "a face names a vertex that does not exist");
+        if (v < 0 || v >= p->vertices)
+            return row_fails(p, NOOK_INDEX_OUT_OF_RANGE, "a face names a vertex that does not exist");
         polygon_corner(p->m, (uint32_t)v);
     }
     polygon_end(p->m);
@@ -311,12 +324,14 @@ static bool read_row(ply *p, const element *e)
 {
     float x[3] = {0, 0, 0};
     nook_point point;
+    const uint8_t *row = p->at;
     size_t i;
     for (i = 0; i < e->properties; i++) {
         if (!read_property_of_row(p, &p->property[e->first + i], x)) return false;
     }
     if (e->sort != VERTEX) return true;
     point = nook_make(x[0], x[1], x[2]);
+    p->value = row;
     if (nook_point_status(point) != NOOK_OK) return row_fails(p, nook_point_status(point), NULL);
     import_vertex(p->m, point);
     return true;
@@ -341,6 +356,7 @@ static bool read_rows(ply *p, const element *e)
     uint64_t left = p->form == TEXT ? (uint64_t)scan_left(&p->text) + 1u : (uint64_t)(p->end - p->at);
     int64_t i;
     if (least == 0) return true;
+    p->value = p->at;
     if ((uint64_t)e->rows > left / least) {
         (void)row_fails(p, NOOK_TRUNCATED, "truncated: the header announces more than the file can hold");
         return fail_element(p->f, names[e->sort], left / least);
@@ -361,7 +377,9 @@ bool import_ply(imported *m, const uint8_t *data, size_t size, failure *f)
     p.f = f;
     scan_begin(&p.text, data, size);
     good = read_header(&p);
-    m->format = p.form == TEXT ? "PLY text" : p.form == BIG ? "PLY binary big-endian" : "PLY binary little-endian";
+    m->format = p.form == TEXT  ? "PLY text"
+                : p.form == BIG ? "PLY binary big-endian"
+                                : "PLY binary little-endian";
     if (good) begin_rows(&p, data);
     for (i = 0; good && i < p.elements; i++) good = read_rows(&p, &p.element[i]);
     free(p.property);

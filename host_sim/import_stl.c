@@ -3,12 +3,18 @@
 
 #include "import.h"
 
-static bool stl_failure(const nook_stl *stl, nook_status status, failure *f)
+/* size: of the file. A binary one that is too short is refused before any facet is read; the first
+ * facet that is missing is named. */
+static bool stl_failure(const nook_stl *stl, nook_status status, size_t size, failure *f)
 {
     char what[120];
+    uint64_t facet = stl->triangles;
     (void)fail(f, status, NULL);
     if (status == NOOK_TRUNCATED && !stl->ascii) {
-        (void)snprintf(what, sizeof what, "truncated: the header declares %" PRIu32 " facets, the file is too short for them", stl->declared);
+        facet = size < 84 ? 0 : (size - 84) / 50;
+        (void)snprintf(what, sizeof what,
+                       "truncated: as a binary STL it declares %" PRIu32 " facets and holds %" PRIu64,
+                       stl->declared, facet);
         (void)fail(f, status, what);
     } else if (status == NOOK_TRUNCATED) {
         (void)fail(f, status, "truncated inside a facet");
@@ -17,7 +23,7 @@ static bool stl_failure(const nook_stl *stl, nook_status status, failure *f)
     }
     if (stl->where.kind == NOOK_AT_BYTE) f->byte = stl->where.index;
     if (stl->where.kind == NOOK_AT_LINE) f->line = stl->where.index;
-    if (status != NOOK_UNKNOWN_FORMAT) (void)fail_element(f, "triangle", stl->triangles);
+    if (status != NOOK_UNKNOWN_FORMAT) (void)fail_element(f, "triangle", facet);
     return false;
 }
 
@@ -36,11 +42,12 @@ bool import_stl(imported *m, const uint8_t *data, size_t size, failure *f)
     nook_stl stl;
     nook_point corners[3];
     nook_status status;
+    size_t left = size;
     m->soup = true;
     nook_stl_begin(&stl, (uint32_t)size);
-    while ((status = nook_stl_push(&stl, &data, &size, corners)) == NOOK_TRIANGLE) add_facet(m, corners);
+    while ((status = nook_stl_push(&stl, &data, &left, corners)) == NOOK_TRIANGLE) add_facet(m, corners);
     if (status == NOOK_MORE) status = nook_stl_end(&stl);
     m->format = stl.ascii ? "STL text" : "STL binary";
     m->trailing = stl.trailing;
-    return status == NOOK_OK ? true : stl_failure(&stl, status, f);
+    return status == NOOK_OK ? true : stl_failure(&stl, status, size, f);
 }

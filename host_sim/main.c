@@ -15,7 +15,10 @@ static const struct {
     {"make", cmd_make, make_help, FOR_MAKE},
 };
 
-static const char *const planned[] = {"repair", "simplify", "smooth", "query", "collide", "hull", "pack", "unpack", "verify", "robot", "boards", "run"};
+static const char *const planned[] = {
+    "repair", "simplify", "smooth", "query", "collide", "hull",
+    "pack",   "unpack",   "verify", "robot", "boards",  "run",
+};
 
 static const char help[] =
     "nook -- triangle meshes for microcontrollers, on the PC\n"
@@ -37,7 +40,8 @@ static int run_command(const options *o)
         return options_allowed(o, commands[i].set, name) ? commands[i].run(o) : 2;
     }
     for (i = 0; i < sizeof planned / sizeof planned[0]; i++) {
-        if (strcmp(name, planned[i]) == 0) return usage_error("this command does not exist yet: ", name) ? 0 : 2;
+        if (strcmp(name, planned[i]) == 0)
+            return usage_error("this command does not exist yet: ", name) ? 0 : 2;
     }
     (void)usage_error("no command is called ", name);
     return 2;

@@ -6,17 +6,19 @@
 #include <inttypes.h>
 #include <stdlib.h>
 
-#include "memory.h"
+#include "heap.h"
 
 static bool fits(const imported *in, failure *f)
 {
     char what[150];
     if (in->nt > NOOK_MAX_TRIANGLES) {
-        (void)snprintf(what, sizeof what, "%" PRIu32 " triangles, but %d-bit indices hold at most %u", in->nt, NOOK_INDEX_BITS, NOOK_MAX_TRIANGLES);
+        (void)snprintf(what, sizeof what, "%" PRIu32 " triangles, but %d-bit indices hold at most %u", in->nt,
+                       NOOK_INDEX_BITS, NOOK_MAX_TRIANGLES);
         return fail(f, NOOK_NO_CAPACITY, what);
     }
     if (in->nv > NOOK_MAX_VERTICES) {
-        (void)snprintf(what, sizeof what, "%" PRIu32 " vertices, but %d-bit indices hold at most %u", in->nv, NOOK_INDEX_BITS, NOOK_MAX_VERTICES);
+        (void)snprintf(what, sizeof what, "%" PRIu32 " vertices, but %d-bit indices hold at most %u", in->nv,
+                       NOOK_INDEX_BITS, NOOK_MAX_VERTICES);
         return fail(f, NOOK_NO_CAPACITY, what);
     }
     return true;
@@ -70,23 +72,23 @@ static bool weld(nook_mesh *mesh, failure *f)
     return false;
 }
 
-/* How many vertices a weld would join: tried on a copy of the points alone. */
-static uint32_t joinable(const nook_mesh *mesh)
+uint32_t model_joinable(const model *m)
 {
-    nook_mesh copy = *mesh;
+    nook_mesh copy = m->mesh;
     uint32_t joined;
     failure ignored;
-    copy.G = take(mesh->nv, sizeof *copy.G);
+    copy.G = take(m->mesh.nv, sizeof *copy.G);
     copy.nt = 0;
-    memcpy(copy.G, mesh->G, mesh->nv * sizeof *copy.G);
-    joined = weld(&copy, &ignored) ? mesh->nv - copy.nv : 0;
+    memcpy(copy.G, m->mesh.G, m->mesh.nv * sizeof *copy.G);
+    joined = weld(&copy, &ignored) ? m->mesh.nv - copy.nv : 0;
     free(copy.G);
     return joined;
 }
 
-static bool is_degenerate(const nook_index *corner)
+static bool is_degenerate(const nook_mesh *mesh, uint32_t t)
 {
-    return corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
+    uint32_t a = mesh->V[3u * t], b = mesh->V[3u * t + 1u], c = mesh->V[3u * t + 2u];
+    return a == b || b == c || c == a;
 }
 
 static void drop(model *m, uint32_t max_list)
@@ -94,7 +96,7 @@ static void drop(model *m, uint32_t max_list)
     uint32_t t;
     size_t room = 0, room_at = 0;
     for (t = 0; t < m->mesh.nt && m->dropped_listed < max_list; t++) {
-        if (!is_degenerate(&m->mesh.V[3u * t])) continue;
+        if (!is_degenerate(&m->mesh, t)) continue;
         m->dropped = grow(m->dropped, &room, m->dropped_listed + 1u, sizeof *m->dropped);
         m->dropped_at = grow(m->dropped_at, &room_at, m->dropped_listed + 1u, sizeof *m->dropped_at);
         m->dropped_at[m->dropped_listed] = m->mesh.G[m->mesh.V[3u * t]];
@@ -108,7 +110,6 @@ static bool fill(model *m, imported *in, const load_options *options, uint32_t m
     if (!fits(in, f) || !make_mesh(m, in, f) || !scale(&m->mesh, options->scale, f)) return false;
     m->welded = options->weld == WELD_EXACT || (options->weld == WELD_DEFAULT && m->soup);
     if (m->welded && !weld(&m->mesh, f)) return false;
-    if (!m->welded) m->could_join = joinable(&m->mesh);
     drop(m, max_list);
     return true;
 }

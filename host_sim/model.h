@@ -23,12 +23,14 @@ typedef struct model {
     uint32_t dropped_listed;
     uint32_t short_faces;
     bool trailing, soup, welded;
-    uint32_t could_join; /* vertices that an exact weld would join, if it was not done */
 } model;
 
 /* Load a file ("-": standard input). max_list: how many dropped triangles to remember. False with f
  * filled; model_free() either way. */
 bool model_load(model *m, const char *path, const load_options *options, uint32_t max_list, failure *f);
 void model_free(model *m);
+
+/* How many vertices an exact weld would join; tried on a copy of the points, n log2 n. */
+uint32_t model_joinable(const model *m);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "memory.h"
+#include "heap.h"
 #include "scan.h"
 
 static const struct {
@@ -52,7 +52,8 @@ static bool parse_option(options *o, int argc, char **argv, int *at)
     int i = find(arg, &length);
     if (i == OPTION_COUNT) return usage_error("no option is called ", arg);
     if (!table[i].takes_value && arg[length] == '=') return usage_error("this option takes no value: ", arg);
-    if (table[i].takes_value && arg[length] == 0 && *at + 1 == argc) return usage_error("a value must follow ", arg);
+    if (table[i].takes_value && arg[length] == 0 && *at + 1 == argc)
+        return usage_error("a value must follow ", arg);
     o->given[i] = true;
     if (table[i].takes_value) o->value[i] = arg[length] == '=' ? arg + length + 1 : argv[++*at];
     return true;

@@ -160,10 +160,12 @@ static void put_counts(FILE *to, const model *m, const nook_check_result *r)
 
 static void put_measures(FILE *to, const model *m, const nook_check_result *r)
 {
-    static const char *const later[] = {"self_intersections", "t_junctions", "concave_edges", "convex_edges", "flat_edges",
-                                        "folded_edges", "zero_area_triangles", "convex_witness"};
+    static const char *const later[] = {"self_intersections",  "t_junctions",   "concave_edges",
+                                        "convex_edges",        "flat_edges",    "folded_edges",
+                                        "zero_area_triangles", "convex_witness"};
     size_t i;
-    bool any = m->mesh.nt != 0, volume = any && r->geometry_known && r->watertight == NOOK_YES && r->oriented == NOOK_YES;
+    bool any = m->mesh.nt != 0,
+         volume = any && r->geometry_known && r->watertight == NOOK_YES && r->oriented == NOOK_YES;
     for (i = 0; i < sizeof later / sizeof later[0]; i++) put_null(to, later[i]);
     put_float(to, "area", !any || r->geometry_known, any ? r->area : 0);
     put_float(to, "signed_volume", volume, r->signed_volume);
@@ -209,7 +211,8 @@ static void put_element(FILE *to, const model *m, const verdict *v, nook_status 
         (void)fprintf(to, "\"corner\":%" PRIu32 ",\"edge\":[%" PRIu32 ",%" PRIu32 "]", where.index,
                       (uint32_t)V[nook_next(where.index)], (uint32_t)V[nook_prev(where.index)]);
     } else {
-        (void)fprintf(to, "\"%s\":%" PRIu32, where.kind == NOOK_AT_VERTEX ? "vertex" : "triangle", where.index);
+        (void)fprintf(to, "\"%s\":%" PRIu32, where.kind == NOOK_AT_VERTEX ? "vertex" : "triangle",
+                      where.index);
     }
     put_point(to, "position", true, place_of(v, m, kind, i));
     (void)fputc('}', to);
@@ -249,7 +252,8 @@ static void put_defects(FILE *to, const model *m, const verdict *v)
 
 static void put_memory(FILE *to, const nook_mesh *mesh)
 {
-    uint64_t flash = NOOK_MESH_BYTES(mesh->nv, mesh->nt), marks = NOOK_MT_BYTES(mesh->nt) + NOOK_MV_BYTES(mesh->nv);
+    uint64_t flash = NOOK_MESH_BYTES(mesh->nv, mesh->nt),
+             marks = NOOK_MT_BYTES(mesh->nt) + NOOK_MV_BYTES(mesh->nv);
     key(to, "memory");
     (void)fprintf(to, "{\"flash_bytes\":%" PRIu64 ",\"ram_bytes\":%" PRIu64 "}", flash, flash + marks);
 }

@@ -12,15 +12,24 @@ typedef struct wording {
 
 static const wording wordings[] = {
     {NOOK_EMPTY_MESH, "no triangle", "no triangle", "there is nothing to use"},
-    {NOOK_REPEATED_VERTEX, "degenerate triangle", "degenerate triangles", "two corners at the same vertex; numbered as in the file, dropped before everything else"},
-    {NOOK_DUPLICATE_TRIANGLE, "duplicate triangle", "duplicate triangles", "the same three vertices as another triangle"},
-    {NOOK_ISOLATED_VERTEX, "isolated vertex", "isolated vertices", "used by no triangle; harmless, but takes memory"},
-    {NOOK_BORDER_EDGE, "border edge", "border edges", "only one triangle: the surface has a hole or an open rim here"},
-    {NOOK_INCOHERENT_EDGE, "incoherent edge", "incoherent edges", "its two triangles face opposite ways: one of them is turned over"},
-    {NOOK_NONMANIFOLD_EDGE, "non-manifold edge", "non-manifold edges", "more than two triangles: sheets or solids meet here"},
-    {NOOK_NONMANIFOLD_VERTEX, "non-manifold vertex", "non-manifold vertices", "its triangles form more than one fan: parts touch at this point only"},
-    {NOOK_NOT_ORIENTABLE, "one-sided component", "one-sided components", "no choice of directions agrees, as on a Moebius strip"},
-    {NOOK_INSIDE_OUT, "shell inside out", "shells inside out", "its volume is negative: the triangles face inwards, or it bounds a cavity"},
+    {NOOK_REPEATED_VERTEX, "degenerate triangle", "degenerate triangles",
+     "two corners at the same vertex; numbered as in the file, dropped before everything else"},
+    {NOOK_DUPLICATE_TRIANGLE, "duplicate triangle", "duplicate triangles",
+     "the same three vertices as another triangle"},
+    {NOOK_ISOLATED_VERTEX, "isolated vertex", "isolated vertices",
+     "used by no triangle; harmless, but takes memory"},
+    {NOOK_BORDER_EDGE, "border edge", "border edges",
+     "only one triangle there: the surface has a hole or an open rim"},
+    {NOOK_INCOHERENT_EDGE, "incoherent edge", "incoherent edges",
+     "the two triangles there face opposite ways: one of them is turned over"},
+    {NOOK_NONMANIFOLD_EDGE, "non-manifold edge", "non-manifold edges",
+     "more than two triangles there: sheets or solids meet"},
+    {NOOK_NONMANIFOLD_VERTEX, "non-manifold vertex", "non-manifold vertices",
+     "more than one fan of triangles there: parts touch at a point, or at a non-manifold edge"},
+    {NOOK_NOT_ORIENTABLE, "one-sided component", "one-sided components",
+     "no choice of directions agrees, as on a Moebius strip"},
+    {NOOK_INSIDE_OUT, "shell inside out", "shells inside out",
+     "negative volume: the triangles face inwards, or bound a cavity"},
 };
 
 static wording wording_of(nook_status kind)
@@ -59,7 +68,7 @@ static void print_verdict(FILE *to, const char *file, const model *m, const verd
     bool sound = is_sound(v, m, required);
     const char *before = ": DEFECTIVE: ";
     int kind;
-    (void)fputs(file, to);
+    print_name(to, file);
     for (kind = 0; kind < NOOK_STATUS_COUNT && !sound; kind++) {
         if (v->defects[kind].count == 0 || !is_error((nook_status)kind)) continue;
         (void)fputs(before, to);
@@ -79,7 +88,10 @@ static void print_unmet(FILE *to, const model *m, const verdict *v, uint32_t req
     for (i = 0; i < PROPERTY_COUNT; i++) {
         nook_truth truth = property_of(v, m, i);
         if ((required >> i & 1u) == 0 || truth == NOOK_YES || i == PROPERTY_COUNT - 1u) continue;
-        (void)fprintf(to, "%s%s%s", before, property_name(i), truth == NOOK_MAYBE ? " (unknown)" : "");
+        (void)fprintf(to, "%s%s%s", before, property_name(i),
+                      truth != NOOK_MAYBE ? ""
+                      : is_computed(i)    ? " (undefined here)"
+                                          : " (not computed yet)");
         before = ", ";
     }
     if (before[0] == ',') (void)fputc('\n', to);
@@ -92,10 +104,12 @@ static void print_element(FILE *to, const model *m, const verdict *v, nook_statu
     nook_where where = v->defects[kind].where[i];
     const nook_index *V = m->mesh.V;
     if (where.kind == NOOK_AT_CORNER) {
-        (void)fprintf(to, "      edge %" PRIu32 "-%" PRIu32 " of triangle %" PRIu32 " at ", (uint32_t)V[nook_next(where.index)],
-                      (uint32_t)V[nook_prev(where.index)], nook_triangle(where.index));
+        (void)fprintf(to, "      edge %" PRIu32 "-%" PRIu32 " of triangle %" PRIu32 " at ",
+                      (uint32_t)V[nook_next(where.index)], (uint32_t)V[nook_prev(where.index)],
+                      nook_triangle(where.index));
     } else {
-        (void)fprintf(to, "      %s %" PRIu32 " at ", where.kind == NOOK_AT_VERTEX ? "vertex" : "triangle", where.index);
+        (void)fprintf(to, "      %s %" PRIu32 " at ", where.kind == NOOK_AT_VERTEX ? "vertex" : "triangle",
+                      where.index);
     }
     print_point(to, place_of(v, m, kind, i));
     (void)fputc('\n', to);
@@ -109,18 +123,25 @@ static void print_defect(FILE *to, const model *m, const verdict *v, nook_status
     print_count(to, kind, d->count);
     (void)fprintf(to, ": %s\n", wording_of(kind).meaning);
     for (i = 0; i < listed && kind != NOOK_EMPTY_MESH; i++) print_element(to, m, v, kind, i);
-    if (listed != 0 && d->count > listed) (void)fprintf(to, "      ... and %" PRIu32 " more\n", d->count - listed);
+    if (listed != 0 && d->count > listed)
+        (void)fprintf(to, "      ... and %" PRIu32 " more\n", d->count - listed);
 }
 
 static void print_reasons(FILE *to, const model *m, const verdict *v)
 {
     int kind;
+    uint32_t joinable;
     for (kind = 0; kind < NOOK_STATUS_COUNT; kind++) {
         if (v->defects[kind].count != 0) print_defect(to, m, v, (nook_status)kind);
     }
-    if (m->could_join != 0 && v->check.border_edges != 0) {
-        (void)fprintf(to, "  hint: %" PRIu32 " vertices have the coordinates of another; --weld exact joins them and may close the surface\n", m->could_join);
-    }
+    if (m->welded || v->check.border_edges == 0) return;
+    joinable = model_joinable(m);
+    if (joinable == 0) return;
+    (void)fprintf(
+        to,
+        "  hint: %" PRIu32
+        " vertices repeat the coordinates of another; --weld exact joins them and may close the surface\n",
+        joinable);
 }
 
 /* ---- figures ----------------------------------------------------------------------------------- */
@@ -141,7 +162,8 @@ static void print_shells(FILE *to, const verdict *v)
     print_number(to, v->check.survey.components);
     for (k = 0; k < v->shells.count && k < 5u; k++) {
         uint32_t genus = nook_shell_genus(&v->shells.shell[k]);
-        (void)fprintf(to, "%s%" PRIu32 " triangles", k == 0 ? ": " : "; ", v->shells.shell[k].triangles);
+        (void)fprintf(to, "%s%" PRIu32 " %s", k == 0 ? ": " : "; ", v->shells.shell[k].triangles,
+                      v->shells.shell[k].triangles == 1u ? "triangle" : "triangles");
         if (genus != NOOK_UNKNOWN) (void)fprintf(to, ", genus %" PRIu32, genus);
     }
     (void)fputs(v->shells.count > 5u ? "; ...\n" : "\n", to);
@@ -152,7 +174,8 @@ static void print_measures(FILE *to, const model *m, const nook_check_result *r)
     bool solid = r->watertight == NOOK_YES && r->oriented == NOOK_YES;
     if (!r->geometry_known || m->mesh.nt == 0) return;
     (void)fprintf(to, "  area       %s\n", decimal_of(r->area).text);
-    (void)fprintf(to, "  volume     %s\n", solid ? decimal_of(r->signed_volume).text : "undefined (not watertight and oriented)");
+    (void)fprintf(to, "  volume     %s\n",
+                  solid ? decimal_of(r->signed_volume).text : "undefined (not watertight and oriented)");
     (void)fputs("  box        ", to);
     print_point(to, r->box_min);
     (void)fputs(" to ", to);
@@ -164,17 +187,21 @@ static void print_figures(FILE *to, const model *m, const verdict *v)
 {
     const nook_check_result *r = &v->check;
     size_t tables = NOOK_MESH_BYTES(m->mesh.nv, m->mesh.nt);
-    (void)fprintf(to, "  format     %s, %s\n", m->format, m->welded ? "equal vertices welded" : "vertices as in the file");
-    (void)fprintf(to, "  triangles  %" PRIu32 "\n  vertices   %" PRIu32 "\n  edges      ", m->mesh.nt, m->mesh.nv);
+    (void)fprintf(to, "  format     %s, %s\n", m->format,
+                  m->welded ? "equal vertices welded" : "vertices as in the file");
+    (void)fprintf(to, "  triangles  %" PRIu32 "\n  vertices   %" PRIu32 "\n  edges      ", m->mesh.nt,
+                  m->mesh.nv);
     print_number(to, r->edges);
     (void)fputc('\n', to);
     print_shells(to, v);
     print_measures(to, m, r);
     if (v->outward != NOOK_MAYBE) {
         (void)fprintf(to, "  outward    %s; cavities not examined\n",
-                      v->outward == NOOK_YES ? "every shell's own volume is positive" : "some shell's own volume is not positive");
+                      v->outward == NOOK_YES ? "every shell's own volume is positive"
+                                             : "some shell's own volume is not positive");
     }
-    (void)fprintf(to, "  memory     %lu bytes of tables with %d-bit indices; digest %08" PRIx32 "\n", (unsigned long)tables, NOOK_INDEX_BITS, v->digest);
+    (void)fprintf(to, "  memory     %lu bytes of tables with %d-bit indices; digest %08" PRIx32 "\n",
+                  (unsigned long)tables, NOOK_INDEX_BITS, v->digest);
 }
 
 void report_text(FILE *to, const char *file, const model *m, const verdict *v, uint32_t required)

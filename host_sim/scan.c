@@ -85,7 +85,8 @@ size_t scan_left(const scan *s)
 
 static char lower(char c)
 {
-    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+    if (c >= 'A' && c <= 'Z') return (char)(c - 'A' + 'a');
+    return c;
 }
 
 bool word_is(word w, const char *text)
@@ -115,7 +116,8 @@ nook_status word_float(word w, float *x)
         w.at++;
         w.length--;
     }
-    if (begins_any_case(w, "nan") || begins_any_case(w, "inf") || begins_any_case(w, "1.#")) return NOOK_NOT_FINITE;
+    if (begins_any_case(w, "nan") || begins_any_case(w, "inf") || begins_any_case(w, "1.#"))
+        return NOOK_NOT_FINITE;
     return NOOK_BAD_NUMBER;
 }
 

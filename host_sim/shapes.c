@@ -6,7 +6,7 @@
 
 #include <stdlib.h>
 
-#include "memory.h"
+#include "heap.h"
 
 /* ---- drawing ----------------------------------------------------------------------------------- */
 
@@ -95,7 +95,8 @@ static direction direction_of(uint32_t i, uint32_t n)
 
 static void draw_tetrahedron(drawing *d, uint32_t a, uint32_t b)
 {
-    nook_point p = nook_make(1, 1, 1), q = nook_make(1, -1, -1), r = nook_make(-1, 1, -1), s = nook_make(-1, -1, 1);
+    nook_point p = nook_make(1, 1, 1), q = nook_make(1, -1, -1), r = nook_make(-1, 1, -1),
+               s = nook_make(-1, -1, 1);
     (void)a;
     (void)b;
     triangle(d, p, q, r);
@@ -108,7 +109,8 @@ static void draw_tetrahedron(drawing *d, uint32_t a, uint32_t b)
  * three terms is zero and the sum of the others does not depend on their order. */
 static nook_point on_sphere(const nook_point corner[3], uint32_t i, uint32_t j, uint32_t n)
 {
-    nook_point p = plus(plus(nook_scaled(corner[1], (float)i), nook_scaled(corner[2], (float)j)), nook_scaled(corner[0], (float)(n - i - j)));
+    nook_point p = plus(plus(nook_scaled(corner[1], (float)i), nook_scaled(corner[2], (float)j)),
+                        nook_scaled(corner[0], (float)(n - i - j)));
     float length = nook_length(p);
     return nook_make(p.x / length, p.y / length, p.z / length);
 }
@@ -117,11 +119,13 @@ static void draw_icosphere(drawing *d, uint32_t n, uint32_t b)
 {
     static const float g = 1.6180339887f; /* the golden ratio */
     static const uint8_t faces[20][3] = {
-        {0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-        {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1},
+        {0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+        {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+        {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1},
     };
     const nook_point v[12] = {
-        {-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1},
+        {-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+        {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1},
     };
     uint32_t f, i, j;
     (void)b;
@@ -130,7 +134,9 @@ static void draw_icosphere(drawing *d, uint32_t n, uint32_t b)
         for (i = 0; i < n; i++) {
             for (j = 0; i + j < n; j++) {
                 triangle(d, on_sphere(c, i, j, n), on_sphere(c, i + 1u, j, n), on_sphere(c, i, j + 1u, n));
-                if (i + j + 1u < n) triangle(d, on_sphere(c, i + 1u, j, n), on_sphere(c, i + 1u, j + 1u, n), on_sphere(c, i, j + 1u, n));
+                if (i + j + 1u == n) continue;
+                triangle(d, on_sphere(c, i + 1u, j, n), on_sphere(c, i + 1u, j + 1u, n),
+                         on_sphere(c, i, j + 1u, n));
             }
         }
     }
@@ -156,8 +162,10 @@ static void draw_box(drawing *d, uint32_t n, uint32_t b)
         for (i = 0; i < n; i++) {
             for (j = 0; j < n; j++) {
                 float u = step_of(i, n), w = step_of(i + 1u, n), x = step_of(j, n), y = step_of(j + 1u, n);
-                quad(d, on_box(axis, 1, u, x), on_box(axis, 1, w, x), on_box(axis, 1, w, y), on_box(axis, 1, u, y));
-                quad(d, on_box(axis, -1, u, x), on_box(axis, -1, u, y), on_box(axis, -1, w, y), on_box(axis, -1, w, x));
+                quad(d, on_box(axis, 1, u, x), on_box(axis, 1, w, x), on_box(axis, 1, w, y),
+                     on_box(axis, 1, u, y));
+                quad(d, on_box(axis, -1, u, x), on_box(axis, -1, u, y), on_box(axis, -1, w, y),
+                     on_box(axis, -1, w, x));
             }
         }
     }
@@ -175,7 +183,8 @@ static void draw_torus(drawing *d, uint32_t a, uint32_t b)
     uint32_t i, j;
     for (i = 0; i < a; i++) {
         for (j = 0; j < b; j++) {
-            quad(d, on_torus(i, a, j, b), on_torus(i + 1u, a, j, b), on_torus(i + 1u, a, j + 1u, b), on_torus(i, a, j + 1u, b));
+            quad(d, on_torus(i, a, j, b), on_torus(i + 1u, a, j, b), on_torus(i + 1u, a, j + 1u, b),
+                 on_torus(i, a, j + 1u, b));
         }
     }
 }
@@ -194,42 +203,68 @@ static void draw_capsule(drawing *d, uint32_t a, uint32_t b)
     for (i = 0; i < a; i++) {
         triangle(d, on_capsule(0, a, 0, b), on_capsule(i + 1u, a, 1, b), on_capsule(i, a, 1, b));
         for (k = 1; k < 2u * b; k++) {
-            quad(d, on_capsule(i, a, k, b), on_capsule(i + 1u, a, k, b), on_capsule(i + 1u, a, k + 1u, b), on_capsule(i, a, k + 1u, b));
+            quad(d, on_capsule(i, a, k, b), on_capsule(i + 1u, a, k, b), on_capsule(i + 1u, a, k + 1u, b),
+                 on_capsule(i, a, k + 1u, b));
         }
         triangle(d, on_capsule(i, a, k, b), on_capsule(i + 1u, a, k, b), on_capsule(0, a, k + 1u, b));
     }
 }
 
 /* A tube with n points around and b cells along; teeth make the outside a gear's. */
-static nook_point on_tube(uint32_t i, uint32_t n, uint32_t k, uint32_t b, bool inside, bool teeth)
+typedef struct tube {
+    uint32_t n, b;
+    bool teeth;
+} tube;
+
+static nook_point on_tube(const tube *t, uint32_t i, uint32_t k, bool inside)
 {
-    direction around = direction_of(i, n);
-    float r = inside ? 0.5f : teeth && i % 4u >= 2u ? 1.25f : 1.0f, height = teeth ? 0.25f : 1.0f;
-    return nook_make(r * around.x, r * around.y, height * step_of(k, b));
+    direction around = direction_of(i, t->n);
+    float r = inside ? 0.5f : t->teeth && i % 4u >= 2u ? 1.25f : 1.0f;
+    return nook_make(r * around.x, r * around.y, (t->teeth ? 0.25f : 1.0f) * step_of(k, t->b));
 }
 
-static void draw_tube(drawing *d, uint32_t n, uint32_t b, bool teeth)
+/* The wall between columns i and j; seen from the other side when they are exchanged. */
+static void draw_wall(drawing *d, const tube *t, uint32_t i, uint32_t j, bool inside)
 {
-    uint32_t i, k;
-    for (i = 0; i < n; i++) {
-        uint32_t j = i + 1u == n ? 0 : i + 1u;
-        for (k = 0; k < b; k++) {
-            quad(d, on_tube(i, n, k, b, false, teeth), on_tube(j, n, k, b, false, teeth), on_tube(j, n, k + 1u, b, false, teeth), on_tube(i, n, k + 1u, b, false, teeth));
-            quad(d, on_tube(j, n, k, b, true, teeth), on_tube(i, n, k, b, true, teeth), on_tube(i, n, k + 1u, b, true, teeth), on_tube(j, n, k + 1u, b, true, teeth));
-        }
-        quad(d, on_tube(i, n, b, b, true, teeth), on_tube(i, n, b, b, false, teeth), on_tube(j, n, b, b, false, teeth), on_tube(j, n, b, b, true, teeth));
-        quad(d, on_tube(i, n, 0, b, false, teeth), on_tube(i, n, 0, b, true, teeth), on_tube(j, n, 0, b, true, teeth), on_tube(j, n, 0, b, false, teeth));
+    uint32_t k;
+    for (k = 0; k < t->b; k++) {
+        quad(d, on_tube(t, i, k, inside), on_tube(t, j, k, inside), on_tube(t, j, k + 1u, inside),
+             on_tube(t, i, k + 1u, inside));
+    }
+}
+
+/* The end at level k between columns i and j. */
+static void draw_end(drawing *d, const tube *t, uint32_t i, uint32_t j, uint32_t k)
+{
+    quad(d, on_tube(t, i, k, true), on_tube(t, i, k, false), on_tube(t, j, k, false), on_tube(t, j, k, true));
+}
+
+static void draw_tube(drawing *d, const tube *t)
+{
+    uint32_t i, j;
+    for (i = 0; i < t->n; i++) {
+        j = i + 1u == t->n ? 0 : i + 1u;
+        draw_wall(d, t, i, j, false);
+        draw_wall(d, t, j, i, true);
+        draw_end(d, t, i, j, t->b);
+        draw_end(d, t, j, i, 0);
     }
 }
 
 static void draw_pipe(drawing *d, uint32_t a, uint32_t b)
 {
-    draw_tube(d, a, b, false);
+    tube t = {0, 0, false};
+    t.n = a;
+    t.b = b;
+    draw_tube(d, &t);
 }
 
 static void draw_gear(drawing *d, uint32_t a, uint32_t b)
 {
-    draw_tube(d, 4u * a, b, true);
+    tube t = {0, 0, true};
+    t.n = 4u * a;
+    t.b = b;
+    draw_tube(d, &t);
 }
 
 static nook_point on_sheet(uint32_t i, uint32_t a, uint32_t j, uint32_t b)
@@ -241,7 +276,10 @@ static void draw_sheet(drawing *d, uint32_t a, uint32_t b)
 {
     uint32_t i, j;
     for (i = 0; i < a; i++) {
-        for (j = 0; j < b; j++) quad(d, on_sheet(i, a, j, b), on_sheet(i + 1u, a, j, b), on_sheet(i + 1u, a, j + 1u, b), on_sheet(i, a, j + 1u, b));
+        for (j = 0; j < b; j++) {
+            quad(d, on_sheet(i, a, j, b), on_sheet(i + 1u, a, j, b), on_sheet(i + 1u, a, j + 1u, b),
+                 on_sheet(i, a, j + 1u, b));
+        }
     }
 }
 
@@ -265,7 +303,10 @@ static void draw_moebius(drawing *d, uint32_t a, uint32_t b)
 {
     uint32_t i, j;
     for (i = 0; i < a; i++) {
-        for (j = 0; j < b; j++) quad(d, on_moebius(i, a, j, b), on_moebius(i + 1u, a, j, b), on_moebius(i + 1u, a, j + 1u, b), on_moebius(i, a, j + 1u, b));
+        for (j = 0; j < b; j++) {
+            quad(d, on_moebius(i, a, j, b), on_moebius(i + 1u, a, j, b), on_moebius(i + 1u, a, j + 1u, b),
+                 on_moebius(i, a, j + 1u, b));
+        }
     }
 }
 
@@ -281,10 +322,14 @@ typedef struct shape {
 } shape;
 
 static const shape shapes[] = {
-    {"tetrahedron", draw_tetrahedron, 0, 0, 0, 4, 1, 1, 1}, {"icosphere", draw_icosphere, 0, 0, 20, 0, 1, 1, 1},
-    {"box", draw_box, 0, 0, 12, 0, 1, 1, 1},                {"torus", draw_torus, 2, 0, 0, 0, 3, 3, 2},
-    {"capsule", draw_capsule, 4, 0, 0, 0, 3, 1, 4},         {"pipe", draw_pipe, 4, 4, 0, 0, 3, 1, 4},
-    {"gear", draw_gear, 16, 16, 0, 0, 3, 1, 12},            {"sheet", draw_sheet, 2, 0, 0, 0, 1, 1, 1},
+    {"tetrahedron", draw_tetrahedron, 0, 0, 0, 4, 1, 1, 1},
+    {"icosphere", draw_icosphere, 0, 0, 20, 0, 1, 1, 1},
+    {"box", draw_box, 0, 0, 12, 0, 1, 1, 1},
+    {"torus", draw_torus, 2, 0, 0, 0, 3, 3, 2},
+    {"capsule", draw_capsule, 4, 0, 0, 0, 3, 1, 4},
+    {"pipe", draw_pipe, 4, 4, 0, 0, 3, 1, 4},
+    {"gear", draw_gear, 16, 16, 0, 0, 3, 1, 12},
+    {"sheet", draw_sheet, 2, 0, 0, 0, 1, 1, 1},
     {"moebius", draw_moebius, 2, 0, 0, 0, 5, 1, 10},
 };
 
@@ -310,7 +355,8 @@ static void choose_grid(const shape *s, uint64_t wanted, uint32_t *best_a, uint3
     for (b = s->least_b; b == s->least_b || triangles_of(s, s->least_a, b) <= 2 * wanted; b++) {
         for (a = s->least_a; a <= 2 * s->aspect * b || s->ab == 0; a++) {
             uint64_t n = triangles_of(s, a, b), off = apart(n, wanted), uneven = apart(a, s->aspect * b);
-            if (n <= SHAPE_MOST && (s->ab == 0 || 2 * a >= s->aspect * b || a == s->least_a) && (off < best || (off == best && uneven < best_shape))) {
+            bool proportioned = s->ab == 0 || 2 * a >= s->aspect * b || a == s->least_a;
+            if (n <= SHAPE_MOST && proportioned && (off < best || (off == best && uneven < best_shape))) {
                 best = off;
                 best_shape = uneven;
                 *best_a = (uint32_t)a;
@@ -327,7 +373,8 @@ static void join(drawing *d)
 {
     nook_mesh mesh;
     nook_where where;
-    nook_index *V = take(3 * (size_t)d->nt, sizeof *V), *O = take(3 * (size_t)d->nt, sizeof *O), *C = take(d->nv, sizeof *C);
+    nook_index *V = take(3 * (size_t)d->nt, sizeof *V), *O = take(3 * (size_t)d->nt, sizeof *O),
+               *C = take(d->nv, sizeof *C);
     nook_index *map = take(d->nv, sizeof *map), *order = take(NOOK_WELD_SCRATCH(d->nv), sizeof *order);
     uint32_t i;
     for (i = 0; i < 3u * d->nt; i++) V[i] = nook_store(d->V[i]);

@@ -3,9 +3,10 @@
 
 #include <stdlib.h>
 
-#include "memory.h"
+#include "heap.h"
 
-const char defect_names[] = "hole flipped inside-out duplicate nonmanifold-edge bow-tie crossing isolated degenerate unwelded nan";
+const char defect_names[] =
+    "hole flipped inside-out duplicate nonmanifold-edge bow-tie crossing isolated degenerate unwelded nan";
 
 static void flip(drawing *d, uint32_t t)
 {
@@ -65,9 +66,12 @@ static void bow_tie(drawing *d)
     uint32_t *copy = take(nv, sizeof *copy);
     for (v = 0; v < nv; v++) {
         p = d->G[v];
-        copy[v] = v == centre ? v : drawing_vertex(d, nook_make(c.x + (c.x - p.x), c.y + (c.y - p.y), c.z + (c.z - p.z)));
+        copy[v] = v == centre
+                      ? v
+                      : drawing_vertex(d, nook_make(c.x + (c.x - p.x), c.y + (c.y - p.y), c.z + (c.z - p.z)));
     }
-    for (i = 0; i < 3u * nt; i += 3u) drawing_triangle(d, copy[d->V[i]], copy[d->V[i + 2u]], copy[d->V[i + 1u]]);
+    for (i = 0; i < 3u * nt; i += 3u)
+        drawing_triangle(d, copy[d->V[i]], copy[d->V[i + 2u]], copy[d->V[i + 1u]]);
     free(copy);
 }
 
@@ -75,7 +79,8 @@ static void bow_tie(drawing *d)
 static void crossing(drawing *d)
 {
     uint32_t v, i, nv = d->nv, nt = d->nt;
-    for (v = 0; v < nv; v++) (void)drawing_vertex(d, nook_make(d->G[v].x + 0.31f, d->G[v].y + 0.17f, d->G[v].z + 0.07f));
+    for (v = 0; v < nv; v++)
+        (void)drawing_vertex(d, nook_make(d->G[v].x + 0.31f, d->G[v].y + 0.17f, d->G[v].z + 0.07f));
     for (i = 0; i < 3u * nt; i += 3u) drawing_triangle(d, d->V[i] + nv, d->V[i + 1u] + nv, d->V[i + 2u] + nv);
 }
 
@@ -106,8 +111,17 @@ static const struct {
     const char *name;
     void (*spoil)(drawing *d);
 } defects[] = {
-    {"hole", hole}, {"flipped", flipped}, {"inside-out", inside_out}, {"duplicate", duplicate}, {"nonmanifold-edge", nonmanifold_edge},
-    {"bow-tie", bow_tie}, {"crossing", crossing}, {"isolated", isolated}, {"degenerate", degenerate}, {"unwelded", unwelded}, {"nan", not_a_number},
+    {"hole", hole},
+    {"flipped", flipped},
+    {"inside-out", inside_out},
+    {"duplicate", duplicate},
+    {"nonmanifold-edge", nonmanifold_edge},
+    {"bow-tie", bow_tie},
+    {"crossing", crossing},
+    {"isolated", isolated},
+    {"degenerate", degenerate},
+    {"unwelded", unwelded},
+    {"nan", not_a_number},
 };
 
 bool spoil(drawing *d, const char *name)

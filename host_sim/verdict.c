@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-#include "memory.h"
+#include "heap.h"
 
 static void collect(void *user, nook_status kind, nook_where where)
 {
@@ -20,7 +20,8 @@ static void collect(void *user, nook_status kind, nook_where where)
 static void list_dropped(verdict *v, const model *m)
 {
     uint32_t i;
-    for (i = 0; i < m->dropped_listed; i++) collect(v, NOOK_REPEATED_VERTEX, nook_at(NOOK_AT_TRIANGLE, m->dropped[i]));
+    for (i = 0; i < m->dropped_listed; i++)
+        collect(v, NOOK_REPEATED_VERTEX, nook_at(NOOK_AT_TRIANGLE, m->dropped[i]));
     v->defects[NOOK_REPEATED_VERTEX].count = m->degenerate;
 }
 
@@ -85,13 +86,28 @@ void verdict_free(verdict *v)
 /* ---- properties ---------------------------------------------------------------------------- */
 
 enum property {
-    EDGE_MANIFOLD, MANIFOLD, EVEN, WATERTIGHT, ORIENTABLE, ORIENTED, OUTWARD, INSIDE_OUT,
-    CLEAN, CONSISTENT, SIMPLE, CONVEX, NO_DEGENERATE, NO_DUPLICATE, NO_ISOLATED, NO_SELF_INTERSECTION
+    EDGE_MANIFOLD,
+    MANIFOLD,
+    EVEN,
+    WATERTIGHT,
+    ORIENTABLE,
+    ORIENTED,
+    OUTWARD,
+    INSIDE_OUT,
+    CLEAN,
+    CONSISTENT,
+    SIMPLE,
+    CONVEX,
+    NO_DEGENERATE,
+    NO_DUPLICATE,
+    NO_ISOLATED,
+    NO_SELF_INTERSECTION
 };
 
 static const char *const names[PROPERTY_COUNT] = {
-    "edge_manifold", "manifold", "even", "watertight", "orientable", "oriented", "outward", "inside_out",
-    "clean", "consistent", "simple", "convex", "no-degenerate", "no-duplicate", "no-isolated", "no-self-intersection",
+    "edge_manifold", "manifold",     "even",        "watertight",           "orientable", "oriented",
+    "outward",       "inside_out",   "clean",       "consistent",           "simple",     "convex",
+    "no-degenerate", "no-duplicate", "no-isolated", "no-self-intersection",
 };
 
 const char *property_name(uint32_t property)
@@ -125,6 +141,11 @@ nook_truth property_of(const verdict *v, const model *m, uint32_t property)
     case NO_ISOLATED: return none(r->isolated_vertices);
     default: return NOOK_MAYBE;
     }
+}
+
+bool is_computed(uint32_t property)
+{
+    return property != CONSISTENT && property != CONVEX && property != NO_SELF_INTERSECTION;
 }
 
 static bool parse_one(const char *name, size_t length, uint32_t *bits)

@@ -29,10 +29,13 @@ void verdict_free(verdict *v);
 /* Properties that a verdict can require, as bits in the order of property_name(). */
 #define PROPERTY_COUNT 16u
 #define PROPERTY_FIELDS 12u /* the first ones are also fields of the JSON object */
-#define PROPERTIES_BY_DEFAULT "manifold,watertight,oriented,outward,no-degenerate,no-duplicate,no-self-intersection"
+#define PROPERTIES_BY_DEFAULT                                                                                \
+    "manifold,watertight,oriented,outward,no-degenerate,no-duplicate,no-self-intersection"
 const char *property_name(uint32_t property);
 /* NOOK_MAYBE: undefined for this mesh, or not computed. */
 nook_truth property_of(const verdict *v, const model *m, uint32_t property);
+/* Whether anything computes this property yet. */
+bool is_computed(uint32_t property);
 /* A comma-separated list to bits; false if it holds an unknown name. */
 bool properties_parse(const char *list, uint32_t *bits);
 

@@ -30,35 +30,23 @@ static nook_status tables_status(const nook_point *G, const nook_index *V, const
 nook_status nook_mesh_init(nook_mesh *mesh, nook_point *G, nook_index *V, nook_index *O, nook_index *C,
                            uint32_t max_nv, uint32_t max_nt)
 {
-    nook_status status;
+    const nook_mesh made = {G, V, O, C, 0, 0, max_nv, max_nt};
+    nook_status status = tables_status(G, V, O, C, max_nv, max_nt);
     if (mesh == NULL) return NOOK_NULL_ARGUMENT;
     memset(mesh, 0, sizeof *mesh);
-    status = tables_status(G, V, O, C, max_nv, max_nt);
-    if (status != NOOK_OK) return status;
-    mesh->G = G;
-    mesh->V = V;
-    mesh->O = O;
-    mesh->C = C;
-    mesh->max_nv = max_nv;
-    mesh->max_nt = max_nt;
-    return NOOK_OK;
+    if (status == NOOK_OK) *mesh = made;
+    return status;
 }
 
 nook_status nook_view_init(nook_view *view, const nook_point *G, const nook_index *V, const nook_index *O,
                            const nook_index *C, uint32_t nv, uint32_t nt)
 {
-    nook_status status;
+    const nook_view made = {G, V, O, C, nv, nt};
+    nook_status status = tables_status(G, V, O, C, nv, nt);
     if (view == NULL) return NOOK_NULL_ARGUMENT;
     memset(view, 0, sizeof *view);
-    status = tables_status(G, V, O, C, nv, nt);
-    if (status != NOOK_OK) return status;
-    view->G = G;
-    view->V = V;
-    view->O = O;
-    view->C = C;
-    view->nv = nv;
-    view->nt = nt;
-    return NOOK_OK;
+    if (status == NOOK_OK) *view = made;
+    return status;
 }
 
 nook_status nook_mesh_append(nook_mesh *mesh, const nook_point corners[3])

@@ -77,13 +77,7 @@ nook_status nook_view_init(nook_view *view, const nook_point *G, const nook_inde
 /* The const view of a mesh, as it is now. */
 static inline nook_view nook_view_of(const nook_mesh *mesh)
 {
-    nook_view view;
-    view.G = mesh->G;
-    view.V = mesh->V;
-    view.O = mesh->O;
-    view.C = mesh->C;
-    view.nv = mesh->nv;
-    view.nt = mesh->nt;
+    nook_view view = {mesh->G, mesh->V, mesh->O, mesh->C, mesh->nv, mesh->nt};
     return view;
 }
 

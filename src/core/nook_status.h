@@ -62,9 +62,7 @@ typedef struct nook_where {
 
 static inline nook_where nook_at(nook_kind kind, uint32_t index)
 {
-    nook_where where;
-    where.kind = kind;
-    where.index = index;
+    nook_where where = {kind, index};
     return where;
 }
 

@@ -36,10 +36,7 @@ static inline uint32_t nook_exponent(float x)
 
 static inline nook_point nook_make(float x, float y, float z)
 {
-    nook_point p;
-    p.x = x;
-    p.y = y;
-    p.z = z;
+    nook_point p = {x, y, z};
     return p;
 }
 

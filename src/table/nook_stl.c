@@ -8,6 +8,7 @@
 
 #include <string.h>
 
+#include "core/nook_corner.h"
 #include "core/nook_vector.h"
 
 enum { HEADER_BYTES = 84, RECORD_BYTES = 50 };
@@ -60,8 +61,9 @@ static bool is_space(uint8_t byte)
 
 static float *coordinate(nook_stl *stl, uint32_t i)
 {
-    nook_point *p = &stl->corner[i / 3u];
-    return i % 3u == 0 ? &p->x : i % 3u == 1u ? &p->y : &p->z;
+    nook_point *p = &stl->corner[nook_triangle(i)];
+    uint32_t axis = i - 3u * nook_triangle(i);
+    return axis == 0 ? &p->x : axis == 1u ? &p->y : &p->z;
 }
 
 static nook_status take_record(nook_stl *stl, nook_point corners[3])

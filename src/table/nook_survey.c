@@ -173,10 +173,11 @@ static bool look(nook_survey_state *s)
 /* The triangle entered by s->entry is done: back across that edge. A ring may have more. */
 static bool back(nook_survey_state *s)
 {
-    uint32_t e = s->entry, t;
+    uint32_t e = s->entry, t, k;
     s->c = s->view.O[e];
     t = nook_triangle(s->c);
-    s->entry = 3u * t + (nook_code(s->marks.Mt, t) + 2u) % 3u;
+    k = nook_code(s->marks.Mt, t);
+    s->entry = 3u * t + (k > 3u ? k - 4u : k - 1u);
     s->phase = LOOK;
     if (s->view.O[s->c] == e) next_corner(s);
     return true;

@@ -1,9 +1,9 @@
-/* memory.h -- heap arrays that grow by doubling.
+/* heap.h -- heap arrays that grow by doubling.
  *
  * Only the host program allocates; the library never does. When memory runs out the program says so
  * and exits 2, so that callers need not look. */
-#ifndef MEMORY_H
-#define MEMORY_H
+#ifndef HEAP_H
+#define HEAP_H
 
 #include <stddef.h>
 

@@ -1,5 +1,5 @@
-/* memory.c -- malloc and realloc with the multiplication checked and failure ending the program. */
-#include "memory.h"
+/* heap.c -- malloc and realloc with the multiplication checked and failure ending the program. */
+#include "heap.h"
 
 #include <stdint.h>
 #include <stdio.h>

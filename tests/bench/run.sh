@@ -1,0 +1,35 @@
+#!/bin/sh
+# run.sh -- nook_link and Draco's CornerTable on the same three meshes, one after the other in turn:
+# nanoseconds a triangle, best of 20; with valgrind also instructions. Built here, on request only.
+set -e
+dir=build/bench
+mkdir -p $dir
+cc -O2 -g -std=c99 -ffp-contract=off -fno-math-errno -Isrc tests/bench/link_bench.c src/*/*.c -o $dir/link16
+cc -O2 -g -std=c99 -ffp-contract=off -fno-math-errno -DNOOK_INDEX_BITS=32 -Isrc tests/bench/link_bench.c src/*/*.c -o $dir/link32
+c++ -O2 -g tests/bench/draco_bench.cc -ldraco -o $dir/draco
+count() { # function, command: instructions a triangle
+    command -v valgrind >/dev/null || return 0
+    function=$1
+    shift
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$function" "$@" 2>&1 >/dev/null |
+        awk '/Collected/ {printf "    %.0f instructions a triangle\n", $NF / 20480}'
+}
+for mesh in ordered shuffled hub; do
+    $dir/link16 $mesh write >$dir/$mesh.obj
+    for bits in 16 32; do
+        echo "nook, $bits-bit indices, $($dir/link$bits $mesh 20)"
+        count nook_link $dir/link$bits $mesh 1
+    done
+    $dir/draco $dir/$mesh.obj "$([ $mesh = hub ] && echo 3 || echo 20)"
+    count 'link_faces*' $dir/draco $dir/$mesh.obj 1
+done
+
+# The most instructions of one unit of work, on the emulated Cortex-M4F.
+if command -v arm-none-eabi-gcc >/dev/null && command -v qemu-system-arm >/dev/null; then
+    arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -std=c99 -O2 -ffp-contract=off -fno-math-errno \
+        -ffunction-sections -Isrc -Iport -Itests tests/bench/units.c tests/check.c src/*/*.c port/semihosting/nook_port.c \
+        boards/cortex_m/startup.c -nostartfiles --specs=nano.specs -Lboards/cortex_m -T boards/mps2-an386/board.ld \
+        -Wl,--gc-sections -o $dir/units.elf
+    timeout 100 qemu-system-arm -M mps2-an386 -icount shift=6,sleep=off -display none -monitor none -serial null \
+        -chardev stdio,id=sh -semihosting-config enable=on,target=native,chardev=sh -kernel $dir/units.elf
+fi

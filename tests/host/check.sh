@@ -1,0 +1,98 @@
+#!/bin/sh
+# check.sh -- the program as its users meet it: shapes it makes, every defect it can make, files that
+# other tools write, and files that nobody should. NOOK names the program, build/nook by default.
+nook=${NOOK:-build/nook}
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+passed=0 failed=0 skipped=0
+
+ok() { passed=$((passed + 1)); }
+no() { failed=$((failed + 1)); echo "FAILED: $*"; }
+
+# expect NAME STATUS PATTERN COMMAND... : its exit status, and a pattern in what it prints
+expect() {
+    name=$1 status=$2 pattern=$3
+    shift 3
+    said=$("$@" 2>"$dir/err")
+    got=$?
+    if [ $got -ne "$status" ]; then no "$name: exit $got instead of $status: $said $(cat "$dir/err")"
+    elif ! printf '%s\n' "$said" | grep -q -e "$pattern"; then no "$name: no '$pattern' in: $said"
+    else ok; fi
+}
+
+# refuse NAME FILE : exit 2, one line on stderr that names the file, verdict unreadable
+refuse() {
+    expect "$1" 2 '"verdict":"unreadable"' "$nook" check --json "$2"
+    if [ "$(wc -l <"$dir/err")" -eq 1 ] && grep -q "^nook: $2: " "$dir/err"; then ok; else no "$1: stderr is $(cat "$dir/err")"; fi
+}
+
+for shape in icosphere torus box capsule pipe gear; do
+    for format in stl obj off ply; do
+        "$nook" make $shape -o "$dir/$shape.$format" 2>"$dir/err" || no "make $shape: $(cat "$dir/err")"
+        expect "a $shape in $format is sound" 0 '"verdict":"sound"' "$nook" check --json "$dir/$shape.$format"
+    done
+done
+expect 'a torus has genus 1' 0 '"genus":1,' "$nook" check --json "$dir/torus.off"
+expect 'a sphere is simple' 0 '"simple":true' "$nook" check --json "$dir/icosphere.off"
+expect 'the text begins with the verdict' 0 ': sound (self-intersection not checked)$' "$nook" check "$dir/box.stl"
+
+defect() { # kind, pattern
+    "$nook" make icosphere --defect "$1" -o "$dir/bad.off" 2>"$dir/err" || no "make --defect $1: $(cat "$dir/err")"
+    expect "defect $1 is found" 1 "$2" "$nook" check --json "$dir/bad.off"
+}
+defect hole '"code":"border_edge","severity":"error","count":3'
+defect flipped '"code":"incoherent_edge","severity":"error","count":3'
+defect inside-out '"inside_out":true'
+defect duplicate '"duplicate_triangles":1'
+defect nonmanifold-edge '"code":"nonmanifold_edge","severity":"error","count":1'
+defect bow-tie '"code":"nonmanifold_vertex","severity":"error","count":1'
+defect degenerate '"degenerate_triangles":1'
+"$nook" make icosphere --defect isolated -o "$dir/isolated.off"
+expect 'an isolated vertex is told and does not decide' 0 '"isolated_vertices":1' "$nook" check --json "$dir/isolated.off"
+expect 'unless it is required' 1 '"isolated_vertices":1' "$nook" check --json --require no-isolated "$dir/isolated.off"
+
+tetra='v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n'
+printf "${tetra}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4" >"$dir/tetra.obj"
+expect 'a last line without newline counts' 0 '"triangles":4' "$nook" check --json "$dir/tetra.obj"
+printf "${tetra}f -4 -2 -3\nf 1/1 2/2/2 4//4\r\nf 2 \\\\\n3 4\nf 3 1 4\n" >"$dir/odd.obj"
+expect 'negative and slashed indices and continued lines' 0 '"verdict":"sound"' "$nook" check --json "$dir/odd.obj"
+printf 'OFF4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >"$dir/glued.off"
+expect 'counts glued to the magic word' 0 '"verdict":"sound"' "$nook" check --json "$dir/glued.off"
+expect 'several files: the highest status' 1 'tetra.obj' "$nook" check --json "$dir/tetra.obj" "$dir/bad.off"
+expect 'a file named by -' 0 '"verdict":"sound"' sh -c "'$nook' check --json - <'$dir/tetra.obj'"
+expect 'the digest is the same in every format' 0 "$("$nook" check --json "$dir/torus.off" | grep -o '"digest":"[0-9a-f]*"')" "$nook" check --json "$dir/torus.ply"
+
+: >"$dir/empty.stl"
+refuse 'a file of no bytes' "$dir/empty.stl"
+head -c 1000 "$dir/icosphere.stl" >"$dir/cut.stl"
+refuse 'a truncated STL' "$dir/cut.stl"
+printf "${tetra}f 1 2 9\n" >"$dir/range.obj"
+refuse 'an index out of range' "$dir/range.obj"
+printf "${tetra}f 0 1 2\n" >"$dir/zero.obj"
+refuse 'index 0 of an OBJ' "$dir/zero.obj"
+printf 'v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$dir/nan.obj"
+refuse 'a NaN' "$dir/nan.obj"
+printf 'v 0 0 1,5\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$dir/comma.obj"
+refuse 'a decimal comma' "$dir/comma.obj"
+printf 'OFF\n4000000000 4000000000 0\n0 0 0\n' >"$dir/huge.off"
+refuse 'counts beyond the bytes present' "$dir/huge.off"
+printf 'ply\nformat binary_little_endian 1.0\nelement vertex 4294967295\nend_header\n' >"$dir/rows.ply"
+refuse 'rows of no bytes without an end' "$dir/rows.ply"
+printf 'ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list uint uint vertex_indices\nend_header\n\377\377\377\377' >"$dir/list.ply"
+refuse 'a list longer than the file' "$dir/list.ply"
+printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n' >"$dir/cut-ascii.stl"
+refuse 'a facet cut off' "$dir/cut-ascii.stl"
+printf 'Hello, world. This is not a mesh.\n' >"$dir/text.obj"
+refuse 'a text of no format' "$dir/text.obj"
+refuse 'a file that does not exist' "$dir/none.stl"
+
+expect 'an unknown command' 2 '' "$nook" polish "$dir/tetra.obj"
+expect 'a command that is still to come' 2 '' "$nook" repair a b
+expect 'an unknown option' 2 '' "$nook" check --frobnicate "$dir/tetra.obj"
+expect 'no file' 2 '' "$nook" check
+expect 'help' 0 'check' "$nook" --help
+expect 'help of a command' 0 'weld' "$nook" check --help
+expect 'version' 0 '0\.1\.0' "$nook" --version
+
+echo "$passed passed, $failed failed, $skipped skipped"
+[ $failed -eq 0 ]

@@ -1,0 +1,19 @@
+/* main.c -- all rooms' tests, one after the other. */
+#include "check.h"
+#include "rooms.h"
+
+#include "nook_port.h"
+
+int main(void)
+{
+    int status;
+    test_core();
+    test_number();
+    test_stl();
+    test_weld();
+    test_link();
+    test_check();
+    status = finish_tests();
+    nook_port_exit(status);
+    return status;
+}
