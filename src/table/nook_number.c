@@ -131,7 +131,7 @@ static float power_of_ten(uint32_t power)
  * whether anything follows: rounded to float bits, infinity included. */
 static uint32_t round_to_float(uint32_t quotient, int32_t exponent)
 {
-    uint32_t drop = 0, half, bits;
+    uint32_t drop = 1, half, bits; /* at least 2 of the 26 bits go */
     int32_t top = exponent;
     for (bits = quotient; bits > 1u; bits >>= 1) top++;
     if (top > 127) return 0x7F800000u;

@@ -36,7 +36,7 @@ if ! missing clang-tidy; then
     say clang-tidy $?
 fi
 if ! missing cppcheck; then
-    cppcheck --quiet --error-exitcode=1 --enable=warning,portability,performance --inline-suppr --std=c99 -Isrc -Iport -Ihost_sim -Itests \
+    cppcheck --quiet --error-exitcode=1 --enable=warning,portability,performance --inline-suppr --std=c99 -UNOOK_USER_CONFIG -Isrc -Iport -Ihost_sim -Itests \
         --suppress=missingIncludeSystem src host_sim port tests
     say cppcheck $?
 fi
