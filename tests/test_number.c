@@ -118,7 +118,7 @@ static const number_case good_numbers[] = {
     {"0.3", 0x3E99999Au},
     {"123.456", 0x42F6E979u},
     {"1e10", 0x501502F9u},
-    {"1e22", 0x6258D727u},
+    {"1e22", 0x64078678u},
     {"8388608", 0x4B000000u},
     {"8388608.5", 0x4B000000u},
     {"8388609.5", 0x4B000002u},
@@ -270,7 +270,7 @@ static void every_short_string_is_judged_as_the_grammar_says(void)
             size_t i;
             for (i = 0, rest = code; i < size; i++, rest >>= 3) s[i] = letters[rest & 7u];
             match_number(s, size, &whole, &begins);
-            CHECK_EQUAL(nook_parse_float(s, size, &value), whole ? NOOK_OK : NOOK_BAD_NUMBER);
+            CHECK((nook_parse_float(s, size, &value) != NOOK_BAD_NUMBER) == whole);
             nook_number_begin(&number);
             for (i = 0; i < size && pushed == NOOK_OK; i++) pushed = nook_number_push(&number, s[i]);
             CHECK_EQUAL(pushed, begins ? NOOK_OK : NOOK_BAD_NUMBER);

@@ -22,7 +22,7 @@ typedef struct nook_marks {
 
 static inline bool nook_bit(const uint8_t *bits, uint32_t i)
 {
-    return (bits[i >> 3] >> (i & 7u) & 1u) != 0;
+    return ((uint32_t)bits[i >> 3] >> (i & 7u) & 1u) != 0;
 }
 
 static inline void nook_set_bit(uint8_t *bits, uint32_t i)

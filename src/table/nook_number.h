@@ -10,7 +10,7 @@
 
 #define NOOK_NUMBER_WORDS 12
 
-/* A number being read. Declare it anywhere and begin it; 68 bytes. */
+/* A number being read. Declare it anywhere and begin it; 60 bytes. */
 typedef struct nook_number {
     uint32_t digits[NOOK_NUMBER_WORDS]; /* significant digits so far, as one integer */
     int32_t scale;                      /* its power of ten, from the point and from dropped digits */
