@@ -12,15 +12,13 @@
 
 #define LARGEST_FILE ((size_t)0xFFFFFFFEu)
 
-static bool fail_io(failure *f, const char *code, int error)
-{
+static bool fail_io(failure *f, const char *code, int error) {
     (void)fail(f, NOOK_OK, error == 0 ? "input or output error" : strerror(error));
     f->code = code;
     return false;
 }
 
-static bool read_all(bytes *b, FILE *from, failure *f)
-{
+static bool read_all(bytes *b, FILE *from, failure *f) {
     size_t got;
     do {
         b->data = grow(b->data, &b->room, b->size + 65536, 1);
@@ -33,8 +31,7 @@ static bool read_all(bytes *b, FILE *from, failure *f)
     return ferror(from) ? fail_io(f, "cannot_read", errno) : true;
 }
 
-bool bytes_read(bytes *b, const char *path, failure *f)
-{
+bool bytes_read(bytes *b, const char *path, failure *f) {
     FILE *from = stdin;
     bool done;
     memset(b, 0, sizeof *b);
@@ -47,15 +44,13 @@ bool bytes_read(bytes *b, const char *path, failure *f)
     return done;
 }
 
-static bool write_stream(const bytes *b, FILE *to)
-{
+static bool write_stream(const bytes *b, FILE *to) {
     bool good = b->size == 0 || fwrite(b->data, 1, b->size, to) == b->size;
     return fflush(to) == 0 && good;
 }
 
 /* A name beside path that does not exist yet, opened; null if there is none. */
-static FILE *open_beside(const char *path, char *name, size_t room)
-{
+static FILE *open_beside(const char *path, char *name, size_t room) {
     FILE *to;
     mode_t mask;
     int fd;
@@ -73,8 +68,7 @@ static FILE *open_beside(const char *path, char *name, size_t room)
     return to;
 }
 
-bool bytes_write(const bytes *b, const char *path, failure *f)
-{
+bool bytes_write(const bytes *b, const char *path, failure *f) {
     struct stat there;
     char *name;
     FILE *to;
@@ -101,28 +95,22 @@ bool bytes_write(const bytes *b, const char *path, failure *f)
     return good;
 }
 
-void bytes_add(bytes *b, const void *data, size_t size)
-{
+void bytes_add(bytes *b, const void *data, size_t size) {
     b->data = grow(b->data, &b->room, b->size + size, 1);
     if (size != 0) memcpy(b->data + b->size, data, size);
     b->size += size;
 }
 
-void bytes_add_text(bytes *b, const char *text)
-{
-    bytes_add(b, text, strlen(text));
-}
+void bytes_add_text(bytes *b, const char *text) { bytes_add(b, text, strlen(text)); }
 
-void bytes_add_u32(bytes *b, uint32_t word)
-{
+void bytes_add_u32(bytes *b, uint32_t word) {
     uint8_t four[4];
     uint32_t i;
     for (i = 0; i < 4u; i++) four[i] = (uint8_t)(word >> (8u * i));
     bytes_add(b, four, sizeof four);
 }
 
-void bytes_free(bytes *b)
-{
+void bytes_free(bytes *b) {
     free(b->data);
     memset(b, 0, sizeof *b);
 }

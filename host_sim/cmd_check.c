@@ -27,8 +27,7 @@ typedef struct check_options {
     bool json;
 } check_options;
 
-static bool parse_required(const char *list, uint32_t *required)
-{
+static bool parse_required(const char *list, uint32_t *required) {
     uint32_t i;
     if (properties_parse(list, required)) return true;
     (void)fprintf(stderr, "nook: --require %s: the properties are", list);
@@ -37,13 +36,11 @@ static bool parse_required(const char *list, uint32_t *required)
     return false;
 }
 
-static bool not_yet(const options *o, option which, const char *name)
-{
+static bool not_yet(const options *o, option which, const char *name) {
     return o->given[which] ? !usage_error("not available yet: ", name) : false;
 }
 
-static bool parse(const options *o, check_options *c)
-{
+static bool parse(const options *o, check_options *c) {
     c->max_list = 10;
     c->json = o->given[OPTION_JSON];
     if (not_yet(o, OPTION_BOARD, "--board") || not_yet(o, OPTION_HTML, "--html")) return false;
@@ -53,15 +50,13 @@ static bool parse(const options *o, check_options *c)
                           &c->required);
 }
 
-static int unreadable(const char *file, const char *format, const failure *f, const check_options *c)
-{
+static int unreadable(const char *file, const char *format, const failure *f, const check_options *c) {
     print_failure(stderr, file, f);
     if (c->json) report_json_unreadable(stdout, file, format, f);
     return 2;
 }
 
-static void print_notes(const char *file, const model *m)
-{
+static void print_notes(const char *file, const model *m) {
     char note[100];
     if (m->trailing) print_message(stderr, file, "note: bytes after the declared facets are ignored");
     if (m->short_faces != 0) {
@@ -71,8 +66,7 @@ static void print_notes(const char *file, const model *m)
     }
 }
 
-static int check_file(const char *file, const check_options *c)
-{
+static int check_file(const char *file, const check_options *c) {
     model m;
     verdict v;
     failure f;
@@ -90,22 +84,19 @@ static int check_file(const char *file, const check_options *c)
     return status;
 }
 
-static void tally(int status, size_t count[3], int *worst)
-{
+static void tally(int status, size_t count[3], int *worst) {
     count[status]++;
     if (status > *worst) *worst = status;
 }
 
-static void print_summary(const size_t count[3])
-{
+static void print_summary(const size_t count[3]) {
     unsigned long all = (unsigned long)(count[0] + count[1] + count[2]);
     (void)fprintf(stderr, "nook: %lu %s: %lu sound, %lu defective, %lu unreadable\n", all,
                   all == 1 ? "file" : "files", (unsigned long)count[0], (unsigned long)count[1],
                   (unsigned long)count[2]);
 }
 
-int cmd_check(const options *o)
-{
+int cmd_check(const options *o) {
     check_options c;
     files list = {NULL, 0, 0};
     failure f;

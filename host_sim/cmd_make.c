@@ -17,8 +17,7 @@ const char make_help[] =
     "\n"
     "The same bytes on every machine. Exit status: 0 written, 2 not.\n";
 
-static bool choose_format(const options *o, file_format *format)
-{
+static bool choose_format(const options *o, file_format *format) {
     const char *out = o->value[OPTION_OUTPUT];
     if (o->given[OPTION_FORMAT]) {
         *format = format_named(o->value[OPTION_FORMAT]);
@@ -32,8 +31,7 @@ static bool choose_format(const options *o, file_format *format)
                : usage_error("no format: end the name in .stl, .obj, .off or .ply, or give --format: ", out);
 }
 
-static bool draw(drawing *d, const options *o, uint32_t triangles, file_format format)
-{
+static bool draw(drawing *d, const options *o, uint32_t triangles, file_format format) {
     const char *kind = o->value[OPTION_DEFECT];
     if (!draw_shape(d, o->operand[1], triangles)) return usage_error("the shapes are: ", shape_names);
     if (kind == NULL) return true;
@@ -42,8 +40,7 @@ static bool draw(drawing *d, const options *o, uint32_t triangles, file_format f
     return spoil(d, kind) ? true : usage_error("the defects are: ", defect_names);
 }
 
-static bool write_drawing(const drawing *d, const char *path, file_format format)
-{
+static bool write_drawing(const drawing *d, const char *path, file_format format) {
     bytes out;
     failure f;
     bool good;
@@ -58,8 +55,7 @@ static bool write_drawing(const drawing *d, const char *path, file_format format
     return true;
 }
 
-int cmd_make(const options *o)
-{
+int cmd_make(const options *o) {
     drawing d;
     file_format format;
     uint32_t triangles = 320;

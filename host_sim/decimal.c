@@ -3,8 +3,7 @@
 
 #include <stdio.h>
 
-decimal decimal_of(float x)
-{
+decimal decimal_of(float x) {
     decimal d;
     float back = 0;
     int digits;

@@ -6,8 +6,7 @@
 #include "decimal.h"
 #include "scan.h"
 
-file_format format_named(const char *name)
-{
+file_format format_named(const char *name) {
     static const char *const names[] = {"stl", "obj", "off", "ply"};
     word w;
     int i;
@@ -19,28 +18,24 @@ file_format format_named(const char *name)
     return NO_FORMAT;
 }
 
-file_format format_of_path(const char *path)
-{
+file_format format_of_path(const char *path) {
     const char *dot = strrchr(path, '.');
     return dot != NULL ? format_named(dot + 1) : NO_FORMAT;
 }
 
-static void add_point(bytes *out, nook_point p)
-{
+static void add_point(bytes *out, nook_point p) {
     bytes_add_u32(out, nook_float_bits(p.x));
     bytes_add_u32(out, nook_float_bits(p.y));
     bytes_add_u32(out, nook_float_bits(p.z));
 }
 
-static nook_point normal_of(const nook_point c[3])
-{
+static nook_point normal_of(const nook_point c[3]) {
     nook_point n = nook_cross(nook_sub(c[1], c[0]), nook_sub(c[2], c[0]));
     float length = nook_length(n);
     return length > 0 ? nook_make(n.x / length, n.y / length, n.z / length) : nook_make(0, 0, 0);
 }
 
-static void export_stl(bytes *out, const drawing *d)
-{
+static void export_stl(bytes *out, const drawing *d) {
     char header[80] = "binary STL written by nook";
     uint32_t t, i;
     nook_point corner[3];
@@ -54,8 +49,7 @@ static void export_stl(bytes *out, const drawing *d)
     }
 }
 
-static void add_vertices(bytes *out, const drawing *d, const char *before)
-{
+static void add_vertices(bytes *out, const drawing *d, const char *before) {
     uint32_t v;
     for (v = 0; v < d->nv; v++) {
         bytes_add_text(out, before);
@@ -68,8 +62,7 @@ static void add_vertices(bytes *out, const drawing *d, const char *before)
     }
 }
 
-static void add_faces(bytes *out, const drawing *d, const char *before, uint32_t base)
-{
+static void add_faces(bytes *out, const drawing *d, const char *before, uint32_t base) {
     char line[64];
     uint32_t t;
     for (t = 0; t < d->nt; t++) {
@@ -80,14 +73,12 @@ static void add_faces(bytes *out, const drawing *d, const char *before, uint32_t
     }
 }
 
-static void export_obj(bytes *out, const drawing *d)
-{
+static void export_obj(bytes *out, const drawing *d) {
     add_vertices(out, d, "v ");
     add_faces(out, d, "f ", 1);
 }
 
-static void export_off(bytes *out, const drawing *d)
-{
+static void export_off(bytes *out, const drawing *d) {
     char line[64];
     (void)snprintf(line, sizeof line, "OFF\n%" PRIu32 " %" PRIu32 " 0\n", d->nv, d->nt);
     bytes_add_text(out, line);
@@ -95,8 +86,7 @@ static void export_off(bytes *out, const drawing *d)
     add_faces(out, d, "3 ", 0);
 }
 
-static void export_ply(bytes *out, const drawing *d)
-{
+static void export_ply(bytes *out, const drawing *d) {
     char header[320];
     uint32_t i;
     (void)snprintf(header, sizeof header,
@@ -113,8 +103,7 @@ static void export_ply(bytes *out, const drawing *d)
     }
 }
 
-void export_drawing(bytes *out, const drawing *d, file_format format)
-{
+void export_drawing(bytes *out, const drawing *d, file_format format) {
     memset(out, 0, sizeof *out);
     if (format == FORMAT_STL) export_stl(out, d);
     if (format == FORMAT_OBJ) export_obj(out, d);

@@ -11,8 +11,7 @@
 #include "heap.h"
 #include "scan.h"
 
-static void add(files *list, const char *folder, const char *name)
-{
+static void add(files *list, const char *folder, const char *name) {
     size_t n = strlen(folder), room = n + strlen(name) + 2;
     bool slash = n != 0 && folder[n - 1] != '/';
     list->path = grow(list->path, &list->room, list->count + 1, sizeof *list->path);
@@ -20,14 +19,12 @@ static void add(files *list, const char *folder, const char *name)
     (void)snprintf(list->path[list->count++], room, "%s%s%s", folder, slash ? "/" : "", name);
 }
 
-static bool is_folder(const char *path)
-{
+static bool is_folder(const char *path) {
     struct stat s;
     return stat(path, &s) == 0 && S_ISDIR(s.st_mode);
 }
 
-static bool is_mesh_name(const char *name)
-{
+static bool is_mesh_name(const char *name) {
     static const char *const endings[] = {".stl", ".obj", ".off", ".ply"};
     word w;
     size_t i, n = strlen(name);
@@ -40,13 +37,9 @@ static bool is_mesh_name(const char *name)
     return false;
 }
 
-static int by_name(const void *a, const void *b)
-{
-    return strcmp(*(char *const *)a, *(char *const *)b);
-}
+static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
 
-bool files_add(files *list, const char *operand, failure *f)
-{
+bool files_add(files *list, const char *operand, failure *f) {
     DIR *folder;
     struct dirent *entry;
     size_t first = list->count;
@@ -74,8 +67,7 @@ bool files_add(files *list, const char *operand, failure *f)
     return true;
 }
 
-void files_free(files *list)
-{
+void files_free(files *list) {
     size_t i;
     for (i = 0; i < list->count; i++) free(list->path[i]);
     free(list->path);

@@ -5,8 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static void *resize(void *array, size_t count, size_t element)
-{
+static void *resize(void *array, size_t count, size_t element) {
     void *bigger = NULL;
     if (count == 0) count = 1;
     if (count <= SIZE_MAX / element) bigger = realloc(array, count * element);
@@ -17,13 +16,9 @@ static void *resize(void *array, size_t count, size_t element)
     return bigger;
 }
 
-void *take(size_t count, size_t element)
-{
-    return resize(NULL, count, element);
-}
+void *take(size_t count, size_t element) { return resize(NULL, count, element); }
 
-void *grow(void *array, size_t *room, size_t need, size_t element)
-{
+void *grow(void *array, size_t *room, size_t need, size_t element) {
     size_t bigger = *room < 32 ? 64 : *room;
     if (array != NULL && need <= *room) return array;
     while (bigger < need) bigger = bigger > SIZE_MAX / 2 ? need : 2 * bigger;

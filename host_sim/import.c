@@ -1,60 +1,11 @@
-/* import.c -- which format these bytes are, and what all importers share.
+/* import.c -- which format these bytes are.
  *
  * The exact size of a binary STL comes first, since any text may stand in its header. */
 #include "import.h"
 
-#include <stdlib.h>
-
-#include "heap.h"
 #include "scan.h"
 
-void import_vertex(imported *m, nook_point p)
-{
-    if (m->nv < NOOK_MAX_VERTICES) {
-        m->G = grow(m->G, &m->room_G, (size_t)m->nv + 1, sizeof *m->G);
-        m->G[m->nv] = p;
-    }
-    m->nv++;
-}
-
-static void add_triangle(imported *m, uint32_t a, uint32_t b, uint32_t c)
-{
-    if (m->nt < NOOK_MAX_TRIANGLES) {
-        m->V = grow(m->V, &m->room_V, 3 * (size_t)m->nt + 3, sizeof *m->V);
-        m->V[3 * (size_t)m->nt] = nook_store(a);
-        m->V[3 * (size_t)m->nt + 1] = nook_store(b);
-        m->V[3 * (size_t)m->nt + 2] = nook_store(c);
-    }
-    m->nt++;
-}
-
-void polygon_begin(imported *m)
-{
-    m->corners = 0;
-}
-
-void polygon_corner(imported *m, uint32_t v)
-{
-    if (m->corners == 0) m->first = v;
-    if (m->corners >= 2u) add_triangle(m, m->first, m->last, v);
-    m->last = v;
-    m->corners++;
-}
-
-void polygon_end(imported *m)
-{
-    if (m->corners < 3u) m->short_faces++;
-}
-
-void import_free(imported *m)
-{
-    free(m->G);
-    free(m->V);
-    memset(m, 0, sizeof *m);
-}
-
-static bool is_exact_binary_stl(const uint8_t *data, size_t size)
-{
+static bool is_exact_binary_stl(const uint8_t *data, size_t size) {
     uint64_t facets;
     if (size < 84) return false;
     facets = data[80] | (uint64_t)data[81] << 8 | (uint64_t)data[82] << 16 | (uint64_t)data[83] << 24;
@@ -62,8 +13,7 @@ static bool is_exact_binary_stl(const uint8_t *data, size_t size)
 }
 
 /* Every other byte of the beginning is zero and the rest are characters. */
-static bool is_utf16(const uint8_t *data, size_t size)
-{
+static bool is_utf16(const uint8_t *data, size_t size) {
     size_t i, n = size < 64 ? size : 64, zeros[2] = {0, 0};
     if (size >= 2 && ((data[0] == 0xFF && data[1] == 0xFE) || (data[0] == 0xFE && data[1] == 0xFF)))
         return true;
@@ -74,8 +24,7 @@ static bool is_utf16(const uint8_t *data, size_t size)
 }
 
 /* A header of 80 bytes and a count are never text throughout: small counts have zero bytes. */
-static bool has_control_bytes(const uint8_t *data, size_t size)
-{
+static bool has_control_bytes(const uint8_t *data, size_t size) {
     size_t i;
     for (i = 0; i < size && i < 84; i++) {
         if (data[i] < 9 || (data[i] > 13 && data[i] < 32)) return true;
@@ -83,16 +32,14 @@ static bool has_control_bytes(const uint8_t *data, size_t size)
     return false;
 }
 
-static bool begins_with(const uint8_t *data, size_t size, const char *name)
-{
+static bool begins_with(const uint8_t *data, size_t size, const char *name) {
     scan s;
     word w;
     scan_begin(&s, data, size);
     return scan_any_word(&s, &w) && word_is_any_case(w, name);
 }
 
-bool import_mesh(imported *m, const bytes *b, failure *f)
-{
+bool import_mesh(imported *m, const bytes *b, failure *f) {
     const uint8_t *data = b->data;
     size_t size = b->size;
     memset(m, 0, sizeof *m);

@@ -8,22 +8,10 @@
 #define IMPORT_H
 
 #include "bytes.h"
-
-typedef struct imported {
-    const char *format; /* "STL binary" */
-    bool soup;          /* three vertices of its own for each triangle */
-    nook_point *G;
-    nook_index *V;
-    uint32_t nv, nt; /* in the file; beyond what the index width can hold they are counted, not stored */
-    size_t room_G, room_V;
-    uint32_t short_faces;          /* faces of fewer than 3 corners, skipped */
-    bool trailing;                 /* bytes after the announced facets, ignored */
-    uint32_t first, last, corners; /* of the polygon being cut */
-} imported;
+#include "imported.h"
 
 /* False with f filled when the bytes are not a mesh. The caller frees m either way. */
 bool import_mesh(imported *m, const bytes *b, failure *f);
-void import_free(imported *m);
 
 /* For the importers of single formats, which have the same form. */
 bool import_stl(imported *m, const uint8_t *data, size_t size, failure *f);
@@ -34,11 +22,5 @@ bool import_ply(imported *m, const uint8_t *data, size_t size, failure *f);
 /* Whether a text looks like OBJ (some line is an OBJ statement), or like OFF (its first word). */
 bool looks_like_obj(const uint8_t *data, size_t size);
 bool looks_like_off(const uint8_t *data, size_t size);
-
-void import_vertex(imported *m, nook_point p);
-/* A polygon, corner by corner, cut into the fan (p0, pk, pk+1). */
-void polygon_begin(imported *m);
-void polygon_corner(imported *m, uint32_t v);
-void polygon_end(imported *m);
 
 #endif

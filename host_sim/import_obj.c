@@ -5,23 +5,20 @@
 #include "import.h"
 #include "scan.h"
 
-static void begin(scan *s, const uint8_t *data, size_t size)
-{
+static void begin(scan *s, const uint8_t *data, size_t size) {
     scan_begin(s, data, size);
     s->comments = true;
     s->continued = true;
 }
 
-static bool is_numeric(word w)
-{
+static bool is_numeric(word w) {
     float x;
     size_t sign = *w.at == '-' || *w.at == '+' ? 1 : 0;
     if (word_float(w, &x) != NOOK_BAD_NUMBER) return true;
     return w.length > sign && w.at[sign] >= '0' && w.at[sign] <= '9'; /* "7/1/2" */
 }
 
-static bool is_statement(scan *s)
-{
+static bool is_statement(scan *s) {
     static const char *const numbers[] = {"v", "vn", "vt", "vp", "f", "l", "p"};
     static const char *const names[] = {"o", "g", "usemtl", "mtllib"};
     word keyword, w;
@@ -37,8 +34,7 @@ static bool is_statement(scan *s)
     return is_numeric(w) || word_is(w, "off") || word_is(w, "on");
 }
 
-bool looks_like_obj(const uint8_t *data, size_t size)
-{
+bool looks_like_obj(const uint8_t *data, size_t size) {
     scan s;
     if (memchr(data, 0, size) != NULL) return false;
     begin(&s, data, size);
@@ -48,8 +44,7 @@ bool looks_like_obj(const uint8_t *data, size_t size)
     return false;
 }
 
-static uint32_t count_vertices(const uint8_t *data, size_t size)
-{
+static uint32_t count_vertices(const uint8_t *data, size_t size) {
     scan s;
     word w;
     uint32_t n = 0;
@@ -60,8 +55,7 @@ static uint32_t count_vertices(const uint8_t *data, size_t size)
     return n;
 }
 
-static bool read_vertex(imported *m, scan *s, failure *f)
-{
+static bool read_vertex(imported *m, scan *s, failure *f) {
     float x[3];
     word w;
     nook_status status = NOOK_OK;
@@ -87,8 +81,7 @@ static bool read_vertex(imported *m, scan *s, failure *f)
 }
 
 /* The vertex of "7", "7/1", "7//3" or "-1/2/3"; negative ones count back from the vertices so far. */
-static bool face_vertex(const imported *m, word w, uint32_t all, uint32_t line, uint32_t *v, failure *f)
-{
+static bool face_vertex(const imported *m, word w, uint32_t all, uint32_t line, uint32_t *v, failure *f) {
     const char *slash = memchr(w.at, '/', w.length);
     int64_t i;
     if (slash != NULL) w.length = (size_t)(slash - w.at);
@@ -103,8 +96,7 @@ static bool face_vertex(const imported *m, word w, uint32_t all, uint32_t line, 
     return true;
 }
 
-static bool read_face(imported *m, scan *s, uint32_t all, failure *f)
-{
+static bool read_face(imported *m, scan *s, uint32_t all, failure *f) {
     word w;
     uint32_t v = 0;
     polygon_begin(m);
@@ -116,8 +108,7 @@ static bool read_face(imported *m, scan *s, uint32_t all, failure *f)
     return true;
 }
 
-bool import_obj(imported *m, const uint8_t *data, size_t size, failure *f)
-{
+bool import_obj(imported *m, const uint8_t *data, size_t size, failure *f) {
     uint32_t all = count_vertices(data, size);
     scan s;
     word w;

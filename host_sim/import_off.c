@@ -5,15 +5,13 @@
 #include "import.h"
 #include "scan.h"
 
-static void begin(scan *s, const uint8_t *data, size_t size)
-{
+static void begin(scan *s, const uint8_t *data, size_t size) {
     scan_begin(s, data, size);
     s->comments = true;
 }
 
 /* Take text off the front of w. */
-static bool take_prefix(word *w, const char *text)
-{
+static bool take_prefix(word *w, const char *text) {
     size_t n = strlen(text);
     if (w->length < n || memcmp(w->at, text, n) != 0) return false;
     w->at += n;
@@ -22,8 +20,7 @@ static bool take_prefix(word *w, const char *text)
 }
 
 /* The magic word (ST)(C)(N)(4)(n)OFF; counts may be glued to it and are left in w. */
-static bool take_magic(word *w, bool *other_dimension)
-{
+static bool take_magic(word *w, bool *other_dimension) {
     bool four, n;
     (void)take_prefix(w, "ST");
     (void)take_prefix(w, "C");
@@ -34,8 +31,7 @@ static bool take_magic(word *w, bool *other_dimension)
     return take_prefix(w, "OFF") && (w->length == 0 || (*w->at >= '0' && *w->at <= '9'));
 }
 
-bool looks_like_off(const uint8_t *data, size_t size)
-{
+bool looks_like_off(const uint8_t *data, size_t size) {
     scan s;
     word w;
     bool other;
@@ -43,13 +39,11 @@ bool looks_like_off(const uint8_t *data, size_t size)
     return scan_any_word(&s, &w) && take_magic(&w, &other);
 }
 
-static bool ends_early(const scan *s, failure *f)
-{
+static bool ends_early(const scan *s, failure *f) {
     return fail_at_line(f, NOOK_TRUNCATED, "the data ends before what the header announces", s->line);
 }
 
-static bool read_count(scan *s, word *glued, int64_t *n, failure *f)
-{
+static bool read_count(scan *s, word *glued, int64_t *n, failure *f) {
     word w = *glued;
     glued->length = 0;
     if (w.length == 0 && !scan_any_word(s, &w)) return ends_early(s, f);
@@ -57,8 +51,7 @@ static bool read_count(scan *s, word *glued, int64_t *n, failure *f)
     return fail_at_line(f, NOOK_BAD_NUMBER, "a count in the header is not a number", s->line);
 }
 
-static bool read_vertex(imported *m, scan *s, failure *f)
-{
+static bool read_vertex(imported *m, scan *s, failure *f) {
     float x[3];
     word w;
     nook_point p;
@@ -85,8 +78,7 @@ static bool read_vertex(imported *m, scan *s, failure *f)
     return true;
 }
 
-static bool read_face(imported *m, scan *s, failure *f)
-{
+static bool read_face(imported *m, scan *s, failure *f) {
     word w;
     int64_t n, i, v;
     if (!scan_any_word(s, &w)) return ends_early(s, f);
@@ -108,8 +100,7 @@ static bool read_face(imported *m, scan *s, failure *f)
     return true;
 }
 
-static bool read_header(scan *s, int64_t *nv, int64_t *nf, failure *f)
-{
+static bool read_header(scan *s, int64_t *nv, int64_t *nf, failure *f) {
     word w;
     scan ahead;
     bool other;
@@ -129,8 +120,7 @@ static bool read_header(scan *s, int64_t *nv, int64_t *nf, failure *f)
     return true;
 }
 
-bool import_off(imported *m, const uint8_t *data, size_t size, failure *f)
-{
+bool import_off(imported *m, const uint8_t *data, size_t size, failure *f) {
     scan s;
     int64_t nv = 0, nf = 0, i;
     char what[120];

@@ -47,13 +47,11 @@ typedef struct ply {
 
 /* ---- header -------------------------------------------------------------------------------- */
 
-static bool header_fails(ply *p, nook_status status, const char *what)
-{
+static bool header_fails(ply *p, nook_status status, const char *what) {
     return fail_at_line(p->f, status, what, p->text.line);
 }
 
-static type type_of(word w)
-{
+static type type_of(word w) {
     int t;
     for (t = INT8; t <= FLOAT64; t++) {
         if (word_is(w, type_names[t][0]) || word_is(w, type_names[t][1])) return (type)t;
@@ -61,8 +59,7 @@ static type type_of(word w)
     return NO_TYPE;
 }
 
-static bool read_format(ply *p)
-{
+static bool read_format(ply *p) {
     word w;
     if (!scan_word(&p->text, &w)) return header_fails(p, NOOK_BAD_SYNTAX, "the format is missing");
     if (word_is(w, "ascii")) p->form = TEXT;
@@ -71,8 +68,7 @@ static bool read_format(ply *p)
     return p->form != NO_FORM ? true : header_fails(p, NOOK_BAD_SYNTAX, "unknown PLY format");
 }
 
-static bool has_element(const ply *p, sort of)
-{
+static bool has_element(const ply *p, sort of) {
     size_t i;
     for (i = 0; i < p->elements; i++) {
         if (p->element[i].sort == of) return true;
@@ -80,8 +76,7 @@ static bool has_element(const ply *p, sort of)
     return false;
 }
 
-static bool read_element(ply *p)
-{
+static bool read_element(ply *p) {
     word name, w;
     element *e;
     p->element = grow(p->element, &p->room_e, p->elements + 1, sizeof *p->element);
@@ -99,8 +94,7 @@ static bool read_element(ply *p)
     return true;
 }
 
-static role role_of(const ply *p, word name, bool list)
-{
+static role role_of(const ply *p, word name, bool list) {
     sort of = p->element[p->elements - 1].sort;
     if (of == FACE && list && (word_is(name, "vertex_indices") || word_is(name, "vertex_index")))
         return CORNERS;
@@ -110,8 +104,7 @@ static role role_of(const ply *p, word name, bool list)
     return word_is(name, "z") ? Z : PASSED_OVER;
 }
 
-static bool read_property(ply *p)
-{
+static bool read_property(ply *p) {
     property q = {NO_TYPE, NO_TYPE, PASSED_OVER};
     word w;
     bool list;
@@ -140,8 +133,7 @@ static bool read_property(ply *p)
     return true;
 }
 
-static bool has_role(const ply *p, const element *e, role wanted)
-{
+static bool has_role(const ply *p, const element *e, role wanted) {
     size_t i;
     for (i = 0; i < e->properties; i++) {
         if (p->property[e->first + i].role == wanted) return true;
@@ -149,8 +141,7 @@ static bool has_role(const ply *p, const element *e, role wanted)
     return false;
 }
 
-static bool header_is_complete(ply *p)
-{
+static bool header_is_complete(ply *p) {
     size_t i;
     if (p->form == NO_FORM) return header_fails(p, NOOK_BAD_SYNTAX, "the header has no format line");
     for (i = 0; i < p->elements; i++) {
@@ -166,8 +157,7 @@ static bool header_is_complete(ply *p)
     return true;
 }
 
-static bool read_header(ply *p)
-{
+static bool read_header(ply *p) {
     word w;
     (void)scan_any_word(&p->text, &w); /* "ply" itself */
     while (scan_next_line(&p->text)) {
@@ -189,8 +179,7 @@ static bool read_header(ply *p)
 
 /* The data begin after exactly one line end; after a lone CR only if the header knows no LF, since
  * a binary value may begin with the byte of LF. */
-static void begin_rows(ply *p, const uint8_t *data)
-{
+static void begin_rows(ply *p, const uint8_t *data) {
     bool has_lf = memchr(data, '\n', (size_t)((const uint8_t *)p->text.at - data)) != NULL;
     const uint8_t *end = (const uint8_t *)p->text.end, *at = (const uint8_t *)p->text.at;
     while (at < end && *at != '\n' && *at != '\r') at++;
@@ -203,20 +192,17 @@ static void begin_rows(ply *p, const uint8_t *data)
 
 /* ---- rows ---------------------------------------------------------------------------------- */
 
-static bool row_fails(ply *p, nook_status status, const char *what)
-{
+static bool row_fails(ply *p, nook_status status, const char *what) {
     if (p->form == TEXT) return fail_at_line(p->f, status, what, p->text.line);
     return fail_at_byte(p->f, status, what, (uint64_t)(p->value - p->begin));
 }
 
-static bool ends_early(ply *p)
-{
+static bool ends_early(ply *p) {
     return row_fails(p, NOOK_TRUNCATED, "the data ends before what the header announces");
 }
 
 /* Read size bytes as an unsigned number in the file's byte order. */
-static bool read_bits(ply *p, uint32_t size, uint64_t *bits)
-{
+static bool read_bits(ply *p, uint32_t size, uint64_t *bits) {
     uint32_t i;
     p->value = p->at;
     if ((size_t)(p->end - p->at) < size) return ends_early(p);
@@ -227,13 +213,9 @@ static bool read_bits(ply *p, uint32_t size, uint64_t *bits)
     return true;
 }
 
-static bool read_word(ply *p, word *w)
-{
-    return scan_any_word(&p->text, w) ? true : ends_early(p);
-}
+static bool read_word(ply *p, word *w) { return scan_any_word(&p->text, w) ? true : ends_early(p); }
 
-static bool read_integer(ply *p, type of, int64_t *i)
-{
+static bool read_integer(ply *p, type of, int64_t *i) {
     word w;
     uint64_t bits, sign;
     if (p->form == TEXT) {
@@ -249,8 +231,7 @@ static bool read_integer(ply *p, type of, int64_t *i)
 }
 
 /* The nearest float of a double; what is beyond every float becomes infinite. */
-static float narrowed(double d)
-{
+static float narrowed(double d) {
     if (d > 3.5e38) return nook_float_from(0x7F800000u);
     if (d < -3.5e38) return nook_float_from(0xFF800000u);
     if (d > 3.4e38) return 3.4e38f; /* too large for a coordinate in any case */
@@ -258,8 +239,7 @@ static float narrowed(double d)
     return (float)d;
 }
 
-static bool read_float(ply *p, type of, float *x)
-{
+static bool read_float(ply *p, type of, float *x) {
     word w;
     uint64_t bits;
     int64_t i;
@@ -281,8 +261,7 @@ static bool read_float(ply *p, type of, float *x)
     return true;
 }
 
-static bool pass_over(ply *p, type of, int64_t count)
-{
+static bool pass_over(ply *p, type of, int64_t count) {
     word w;
     p->value = p->at;
     if (p->form != TEXT) {
@@ -296,8 +275,7 @@ static bool pass_over(ply *p, type of, int64_t count)
     return true;
 }
 
-static bool read_corners(ply *p, type of, int64_t count)
-{
+static bool read_corners(ply *p, type of, int64_t count) {
     int64_t v;
     polygon_begin(p->m);
     for (; count > 0; count--) {
@@ -310,8 +288,7 @@ static bool read_corners(ply *p, type of, int64_t count)
     return true;
 }
 
-static bool read_property_of_row(ply *p, const property *q, float x[3])
-{
+static bool read_property_of_row(ply *p, const property *q, float x[3]) {
     int64_t count = 1;
     if (q->count != NO_TYPE && !read_integer(p, q->count, &count)) return false;
     if (count < 0) return row_fails(p, NOOK_BAD_NUMBER, "a list of negative length");
@@ -320,8 +297,7 @@ static bool read_property_of_row(ply *p, const property *q, float x[3])
     return pass_over(p, q->of, count);
 }
 
-static bool read_row(ply *p, const element *e)
-{
+static bool read_row(ply *p, const element *e) {
     float x[3] = {0, 0, 0};
     nook_point point;
     const uint8_t *row = p->at;
@@ -338,8 +314,7 @@ static bool read_row(ply *p, const element *e)
 }
 
 /* The fewest bytes of a row: of a list its count alone; in text a digit and a blank each. */
-static uint64_t least_row(const ply *p, const element *e)
-{
+static uint64_t least_row(const ply *p, const element *e) {
     uint64_t least = 0;
     size_t i;
     for (i = 0; i < e->properties; i++) {
@@ -349,8 +324,7 @@ static uint64_t least_row(const ply *p, const element *e)
     return least;
 }
 
-static bool read_rows(ply *p, const element *e)
-{
+static bool read_rows(ply *p, const element *e) {
     static const char *const names[] = {"row", "vertex", "face"};
     uint64_t least = least_row(p, e);
     uint64_t left = p->form == TEXT ? (uint64_t)scan_left(&p->text) + 1u : (uint64_t)(p->end - p->at);
@@ -367,8 +341,7 @@ static bool read_rows(ply *p, const element *e)
     return true;
 }
 
-bool import_ply(imported *m, const uint8_t *data, size_t size, failure *f)
-{
+bool import_ply(imported *m, const uint8_t *data, size_t size, failure *f) {
     ply p;
     size_t i;
     bool good;

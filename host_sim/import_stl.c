@@ -5,8 +5,7 @@
 
 /* size: of the file. A binary one that is too short is refused before any facet is read; the first
  * facet that is missing is named. */
-static bool stl_failure(const nook_stl *stl, nook_status status, size_t size, failure *f)
-{
+static bool stl_failure(const nook_stl *stl, nook_status status, size_t size, failure *f) {
     char what[120];
     uint64_t facet = stl->triangles;
     (void)fail(f, status, NULL);
@@ -27,8 +26,7 @@ static bool stl_failure(const nook_stl *stl, nook_status status, size_t size, fa
     return false;
 }
 
-static void add_facet(imported *m, const nook_point corners[3])
-{
+static void add_facet(imported *m, const nook_point corners[3]) {
     uint32_t i, v = m->nv;
     polygon_begin(m);
     for (i = 0; i < 3u; i++) {
@@ -37,8 +35,7 @@ static void add_facet(imported *m, const nook_point corners[3])
     }
 }
 
-bool import_stl(imported *m, const uint8_t *data, size_t size, failure *f)
-{
+bool import_stl(imported *m, const uint8_t *data, size_t size, failure *f) {
     nook_stl stl;
     nook_point corners[3];
     nook_status status;

@@ -30,8 +30,7 @@ static const char help[] =
     "\n"
     "Exit status: 0 done or sound, 1 the answer is no, 2 wrong usage or unreadable input.\n";
 
-static int run_command(const options *o)
-{
+static int run_command(const options *o) {
     size_t i;
     const char *name = o->operand[0];
     for (i = 0; i < sizeof commands / sizeof commands[0]; i++) {
@@ -47,8 +46,7 @@ static int run_command(const options *o)
     return 2;
 }
 
-static int run(const options *o)
-{
+static int run(const options *o) {
     if (o->given[OPTION_VERSION]) {
         (void)printf("nook %s, %d-bit indices\n", NOOK_VERSION_TEXT, NOOK_INDEX_BITS);
         return 0;
@@ -58,8 +56,7 @@ static int run(const options *o)
     return o->given[OPTION_HELP] ? 0 : 2;
 }
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
     options o;
     int status = 2;
     (void)signal(SIGPIPE, SIG_IGN); /* a reader that went away is an error of writing, exit 2 */

@@ -8,8 +8,7 @@
 
 #include "heap.h"
 
-static bool fits(const imported *in, failure *f)
-{
+static bool fits(const imported *in, failure *f) {
     char what[150];
     if (in->nt > NOOK_MAX_TRIANGLES) {
         (void)snprintf(what, sizeof what, "%" PRIu32 " triangles, but %d-bit indices hold at most %u", in->nt,
@@ -25,8 +24,7 @@ static bool fits(const imported *in, failure *f)
 }
 
 /* The tables take over what was imported; O and C are added at their size. */
-static bool make_mesh(model *m, imported *in, failure *f)
-{
+static bool make_mesh(model *m, imported *in, failure *f) {
     nook_point *G = in->G != NULL ? in->G : take(1, sizeof *G);
     nook_index *V = in->V != NULL ? in->V : take(1, sizeof *V);
     nook_index *O = take(3 * (size_t)in->nt, sizeof *O), *C = take(in->nv, sizeof *C);
@@ -43,8 +41,7 @@ static bool make_mesh(model *m, imported *in, failure *f)
     return status == NOOK_OK ? true : fail(f, status, NULL);
 }
 
-static bool scale(nook_mesh *mesh, float factor, failure *f)
-{
+static bool scale(nook_mesh *mesh, float factor, failure *f) {
     uint32_t v;
     nook_status status;
     for (v = 0; v < mesh->nv && factor != 1.0f; v++) {
@@ -58,8 +55,7 @@ static bool scale(nook_mesh *mesh, float factor, failure *f)
     return true;
 }
 
-static bool weld(nook_mesh *mesh, failure *f)
-{
+static bool weld(nook_mesh *mesh, failure *f) {
     nook_index *map = take(mesh->nv, sizeof *map), *order = take(NOOK_WELD_SCRATCH(mesh->nv), sizeof *order);
     nook_where where = nook_at(NOOK_NOWHERE, 0);
     nook_status status = nook_weld(mesh, map, order, &where);
@@ -72,8 +68,7 @@ static bool weld(nook_mesh *mesh, failure *f)
     return false;
 }
 
-uint32_t model_joinable(const model *m)
-{
+uint32_t model_joinable(const model *m) {
     nook_mesh copy = m->mesh;
     uint32_t joined;
     failure ignored;
@@ -85,14 +80,12 @@ uint32_t model_joinable(const model *m)
     return joined;
 }
 
-static bool is_degenerate(const nook_mesh *mesh, uint32_t t)
-{
+static bool is_degenerate(const nook_mesh *mesh, uint32_t t) {
     uint32_t a = mesh->V[3u * t], b = mesh->V[3u * t + 1u], c = mesh->V[3u * t + 2u];
     return a == b || b == c || c == a;
 }
 
-static void drop(model *m, uint32_t max_list)
-{
+static void drop(model *m, uint32_t max_list) {
     uint32_t t;
     size_t room = 0, room_at = 0;
     for (t = 0; t < m->mesh.nt && m->dropped_listed < max_list; t++) {
@@ -105,8 +98,7 @@ static void drop(model *m, uint32_t max_list)
     m->degenerate = nook_drop_degenerate(&m->mesh);
 }
 
-static bool fill(model *m, imported *in, const load_options *options, uint32_t max_list, failure *f)
-{
+static bool fill(model *m, imported *in, const load_options *options, uint32_t max_list, failure *f) {
     if (!fits(in, f) || !make_mesh(m, in, f) || !scale(&m->mesh, options->scale, f)) return false;
     m->welded = options->weld == WELD_EXACT || (options->weld == WELD_DEFAULT && m->soup);
     if (m->welded && !weld(&m->mesh, f)) return false;
@@ -114,8 +106,7 @@ static bool fill(model *m, imported *in, const load_options *options, uint32_t m
     return true;
 }
 
-bool model_load(model *m, const char *path, const load_options *options, uint32_t max_list, failure *f)
-{
+bool model_load(model *m, const char *path, const load_options *options, uint32_t max_list, failure *f) {
     bytes file;
     imported in;
     bool good;
@@ -129,8 +120,7 @@ bool model_load(model *m, const char *path, const load_options *options, uint32_
     return good;
 }
 
-void model_free(model *m)
-{
+void model_free(model *m) {
     free(m->mesh.G);
     free(m->mesh.V);
     free(m->mesh.O);

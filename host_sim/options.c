@@ -27,15 +27,13 @@ static const struct {
     {"--format", true, FOR_MAKE},
 };
 
-bool usage_error(const char *what, const char *about)
-{
+bool usage_error(const char *what, const char *about) {
     (void)fprintf(stderr, "nook: %s%s\n", what, about);
     return false;
 }
 
 /* The option that arg names, with the length of its name; OPTION_COUNT if none. */
-static int find(const char *arg, size_t *length)
-{
+static int find(const char *arg, size_t *length) {
     int i;
     *length = strcspn(arg, "=");
     if (strcmp(arg, "-h") == 0) return OPTION_HELP;
@@ -45,8 +43,7 @@ static int find(const char *arg, size_t *length)
     return OPTION_COUNT;
 }
 
-static bool parse_option(options *o, int argc, char **argv, int *at)
-{
+static bool parse_option(options *o, int argc, char **argv, int *at) {
     const char *arg = argv[*at];
     size_t length;
     int i = find(arg, &length);
@@ -59,8 +56,7 @@ static bool parse_option(options *o, int argc, char **argv, int *at)
     return true;
 }
 
-bool options_parse(options *o, int argc, char **argv)
-{
+bool options_parse(options *o, int argc, char **argv) {
     int i;
     bool only_operands = false;
     memset(o, 0, sizeof *o);
@@ -77,8 +73,7 @@ bool options_parse(options *o, int argc, char **argv)
     return true;
 }
 
-bool options_allowed(const options *o, unsigned command, const char *name)
-{
+bool options_allowed(const options *o, unsigned command, const char *name) {
     int i;
     for (i = 0; i < OPTION_COUNT; i++) {
         if (!o->given[i] || (table[i].commands & command) != 0) continue;
@@ -88,16 +83,14 @@ bool options_allowed(const options *o, unsigned command, const char *name)
     return true;
 }
 
-static word word_of(const char *text)
-{
+static word word_of(const char *text) {
     word w;
     w.at = text;
     w.length = strlen(text);
     return w;
 }
 
-bool option_count(const options *o, option which, uint32_t *value)
-{
+bool option_count(const options *o, option which, uint32_t *value) {
     int64_t n;
     if (!o->given[which]) return true;
     if (!word_integer(word_of(o->value[which]), &n) || n < 0 || n > (int64_t)UINT32_MAX - 1) {
@@ -108,8 +101,7 @@ bool option_count(const options *o, option which, uint32_t *value)
     return true;
 }
 
-static bool parse_weld(const char *text, weld_choice *weld)
-{
+static bool parse_weld(const char *text, weld_choice *weld) {
     float distance;
     if (strcmp(text, "exact") == 0) {
         *weld = WELD_EXACT;
@@ -123,8 +115,7 @@ static bool parse_weld(const char *text, weld_choice *weld)
     return true;
 }
 
-bool options_for_load(const options *o, load_options *load)
-{
+bool options_for_load(const options *o, load_options *load) {
     load->weld = WELD_DEFAULT;
     load->scale = 1;
     if (o->given[OPTION_WELD] && !parse_weld(o->value[OPTION_WELD], &load->weld)) return false;

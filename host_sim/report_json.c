@@ -8,8 +8,7 @@
 /* ---- strings --------------------------------------------------------------------------------- */
 
 /* The length of a well-formed UTF-8 sequence at s, or 0. */
-static size_t utf8_length(const unsigned char *s)
-{
+static size_t utf8_length(const unsigned char *s) {
     size_t i, n = s[0] < 0x80 ? 1 : s[0] >= 0xF0 ? 4 : s[0] >= 0xE0 ? 3 : 2;
     if (n == 1) return 1;
     if (s[0] < 0xC2 || s[0] > 0xF4) return 0;
@@ -21,8 +20,7 @@ static size_t utf8_length(const unsigned char *s)
     return n;
 }
 
-static void put_string(FILE *to, const char *text)
-{
+static void put_string(FILE *to, const char *text) {
     const unsigned char *s = (const unsigned char *)text;
     (void)fputc('"', to);
     while (*s != 0) {
@@ -45,25 +43,19 @@ static void put_string(FILE *to, const char *text)
 
 /* ---- values: a key and what it holds --------------------------------------------------------- */
 
-static void key(FILE *to, const char *name)
-{
-    (void)fprintf(to, ",\"%s\":", name);
-}
+static void key(FILE *to, const char *name) { (void)fprintf(to, ",\"%s\":", name); }
 
-static void put_text(FILE *to, const char *name, const char *text)
-{
+static void put_text(FILE *to, const char *name, const char *text) {
     key(to, name);
     put_string(to, text);
 }
 
-static void put_null(FILE *to, const char *name)
-{
+static void put_null(FILE *to, const char *name) {
     key(to, name);
     (void)fputs("null", to);
 }
 
-static void put_count(FILE *to, const char *name, uint32_t n)
-{
+static void put_count(FILE *to, const char *name, uint32_t n) {
     if (n == NOOK_UNKNOWN) {
         put_null(to, name);
         return;
@@ -72,8 +64,7 @@ static void put_count(FILE *to, const char *name, uint32_t n)
     (void)fprintf(to, "%" PRIu32, n);
 }
 
-static void put_place(FILE *to, const char *name, uint64_t n)
-{
+static void put_place(FILE *to, const char *name, uint64_t n) {
     if (n == FAILURE_NOWHERE) {
         put_null(to, name);
         return;
@@ -82,20 +73,17 @@ static void put_place(FILE *to, const char *name, uint64_t n)
     (void)fprintf(to, "%" PRIu64, n);
 }
 
-static void put_truth(FILE *to, const char *name, nook_truth truth)
-{
+static void put_truth(FILE *to, const char *name, nook_truth truth) {
     key(to, name);
     (void)fputs(truth == NOOK_MAYBE ? "null" : truth == NOOK_YES ? "true" : "false", to);
 }
 
-static void number(FILE *to, float x)
-{
+static void number(FILE *to, float x) {
     bool finite = (nook_float_bits(x) & 0x7F800000u) != 0x7F800000u;
     (void)fputs(finite ? decimal_of(x).text : "null", to);
 }
 
-static void put_float(FILE *to, const char *name, bool known, float x)
-{
+static void put_float(FILE *to, const char *name, bool known, float x) {
     key(to, name);
     if (known) {
         number(to, x);
@@ -104,8 +92,7 @@ static void put_float(FILE *to, const char *name, bool known, float x)
     }
 }
 
-static void put_point(FILE *to, const char *name, bool known, nook_point p)
-{
+static void put_point(FILE *to, const char *name, bool known, nook_point p) {
     if (!known) {
         put_null(to, name);
         return;
@@ -122,8 +109,7 @@ static void put_point(FILE *to, const char *name, bool known, nook_point p)
 
 /* ---- the object ------------------------------------------------------------------------------ */
 
-static void begin_object(FILE *to, const char *file, const char *format, const char *said)
-{
+static void begin_object(FILE *to, const char *file, const char *format, const char *said) {
     (void)fputs("{\"file\":", to);
     put_string(to, file);
     if (format != NULL) {
@@ -135,8 +121,7 @@ static void begin_object(FILE *to, const char *file, const char *format, const c
     put_count(to, "index_bits", NOOK_INDEX_BITS);
 }
 
-static void put_counts(FILE *to, const model *m, const nook_check_result *r)
-{
+static void put_counts(FILE *to, const model *m, const nook_check_result *r) {
     put_count(to, "vertices", m->mesh.nv);
     put_count(to, "isolated_vertices", r->isolated_vertices);
     put_count(to, "triangles_in", m->triangles_in);
@@ -158,8 +143,7 @@ static void put_counts(FILE *to, const model *m, const nook_check_result *r)
     }
 }
 
-static void put_measures(FILE *to, const model *m, const nook_check_result *r)
-{
+static void put_measures(FILE *to, const model *m, const nook_check_result *r) {
     static const char *const later[] = {"self_intersections",  "t_junctions",   "concave_edges",
                                         "convex_edges",        "flat_edges",    "folded_edges",
                                         "zero_area_triangles", "convex_witness"};
@@ -176,8 +160,7 @@ static void put_measures(FILE *to, const model *m, const nook_check_result *r)
     put_null(to, "hints");
 }
 
-static void put_shell(FILE *to, const nook_shell *s)
-{
+static void put_shell(FILE *to, const nook_shell *s) {
     bool pairs = !s->has_nonmanifold_edge, solid = pairs && s->border_edges == 0 && s->incoherent_edges == 0;
     (void)fprintf(to, "{\"first_triangle\":%" PRIu32, s->first_triangle);
     put_count(to, "triangles", s->triangles);
@@ -190,8 +173,7 @@ static void put_shell(FILE *to, const nook_shell *s)
     (void)fputc('}', to);
 }
 
-static void put_shells(FILE *to, const nook_shells *shells)
-{
+static void put_shells(FILE *to, const nook_shells *shells) {
     uint32_t k;
     key(to, "shells");
     (void)fputc('[', to);
@@ -202,8 +184,7 @@ static void put_shells(FILE *to, const nook_shells *shells)
     (void)fputc(']', to);
 }
 
-static void put_element(FILE *to, const model *m, const verdict *v, nook_status kind, uint32_t i)
-{
+static void put_element(FILE *to, const model *m, const verdict *v, nook_status kind, uint32_t i) {
     nook_where where = v->defects[kind].where[i];
     const nook_index *V = m->mesh.V;
     (void)fputc('{', to);
@@ -218,8 +199,7 @@ static void put_element(FILE *to, const model *m, const verdict *v, nook_status 
     (void)fputc('}', to);
 }
 
-static void put_defect(FILE *to, const model *m, const verdict *v, nook_status kind)
-{
+static void put_defect(FILE *to, const model *m, const verdict *v, nook_status kind) {
     const defect *d = &v->defects[kind];
     uint32_t i;
     (void)fputs("{\"code\":", to);
@@ -235,8 +215,7 @@ static void put_defect(FILE *to, const model *m, const verdict *v, nook_status k
     (void)fputs("]}", to);
 }
 
-static void put_defects(FILE *to, const model *m, const verdict *v)
-{
+static void put_defects(FILE *to, const model *m, const verdict *v) {
     int kind;
     bool first = true;
     key(to, "defects");
@@ -250,16 +229,14 @@ static void put_defects(FILE *to, const model *m, const verdict *v)
     (void)fputc(']', to);
 }
 
-static void put_memory(FILE *to, const nook_mesh *mesh)
-{
+static void put_memory(FILE *to, const nook_mesh *mesh) {
     uint64_t flash = NOOK_MESH_BYTES(mesh->nv, mesh->nt),
              marks = NOOK_MT_BYTES(mesh->nt) + NOOK_MV_BYTES(mesh->nv);
     key(to, "memory");
     (void)fprintf(to, "{\"flash_bytes\":%" PRIu64 ",\"ram_bytes\":%" PRIu64 "}", flash, flash + marks);
 }
 
-void report_json(FILE *to, const char *file, const model *m, const verdict *v, uint32_t required)
-{
+void report_json(FILE *to, const char *file, const model *m, const verdict *v, uint32_t required) {
     uint32_t i;
     begin_object(to, file, m->format, is_sound(v, m, required) ? "sound" : "defective");
     (void)fprintf(to, ",\"digest\":\"%08" PRIx32 "\"", v->digest);
@@ -272,8 +249,7 @@ void report_json(FILE *to, const char *file, const model *m, const verdict *v, u
     (void)fputs("}\n", to);
 }
 
-void report_json_unreadable(FILE *to, const char *file, const char *format, const failure *f)
-{
+void report_json_unreadable(FILE *to, const char *file, const char *format, const failure *f) {
     begin_object(to, file, format, "unreadable");
     key(to, "error");
     (void)fputs("{\"code\":", to);

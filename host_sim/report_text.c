@@ -32,8 +32,7 @@ static const wording wordings[] = {
      "negative volume: the triangles face inwards, or bound a cavity"},
 };
 
-static wording wording_of(nook_status kind)
-{
+static wording wording_of(nook_status kind) {
     wording w;
     size_t i;
     for (i = 0; i < sizeof wordings / sizeof wordings[0]; i++) {
@@ -45,8 +44,7 @@ static wording wording_of(nook_status kind)
     return w;
 }
 
-static void print_count(FILE *to, nook_status kind, uint32_t count)
-{
+static void print_count(FILE *to, nook_status kind, uint32_t count) {
     wording w = wording_of(kind);
     if (kind == NOOK_EMPTY_MESH) {
         (void)fputs(w.one, to);
@@ -55,16 +53,14 @@ static void print_count(FILE *to, nook_status kind, uint32_t count)
     }
 }
 
-static void print_point(FILE *to, nook_point p)
-{
+static void print_point(FILE *to, nook_point p) {
     decimal x = decimal_of(p.x), y = decimal_of(p.y), z = decimal_of(p.z);
     (void)fprintf(to, "(%s, %s, %s)", x.text, y.text, z.text);
 }
 
 /* ---- verdict ----------------------------------------------------------------------------------- */
 
-static void print_verdict(FILE *to, const char *file, const model *m, const verdict *v, uint32_t required)
-{
+static void print_verdict(FILE *to, const char *file, const model *m, const verdict *v, uint32_t required) {
     bool sound = is_sound(v, m, required);
     const char *before = ": DEFECTIVE: ";
     int kind;
@@ -81,8 +77,7 @@ static void print_verdict(FILE *to, const char *file, const model *m, const verd
 }
 
 /* Required properties that do not hold; what nothing computes yet is said to be so. */
-static void print_unmet(FILE *to, const model *m, const verdict *v, uint32_t required)
-{
+static void print_unmet(FILE *to, const model *m, const verdict *v, uint32_t required) {
     const char *before = "  required, but not so: ";
     uint32_t i;
     for (i = 0; i < PROPERTY_COUNT; i++) {
@@ -99,8 +94,7 @@ static void print_unmet(FILE *to, const model *m, const verdict *v, uint32_t req
 
 /* ---- reasons ----------------------------------------------------------------------------------- */
 
-static void print_element(FILE *to, const model *m, const verdict *v, nook_status kind, uint32_t i)
-{
+static void print_element(FILE *to, const model *m, const verdict *v, nook_status kind, uint32_t i) {
     nook_where where = v->defects[kind].where[i];
     const nook_index *V = m->mesh.V;
     if (where.kind == NOOK_AT_CORNER) {
@@ -115,8 +109,7 @@ static void print_element(FILE *to, const model *m, const verdict *v, nook_statu
     (void)fputc('\n', to);
 }
 
-static void print_defect(FILE *to, const model *m, const verdict *v, nook_status kind)
-{
+static void print_defect(FILE *to, const model *m, const verdict *v, nook_status kind) {
     const defect *d = &v->defects[kind];
     uint32_t i, listed = kind == NOOK_EMPTY_MESH ? d->count : d->listed;
     (void)fputs(is_error(kind) ? "  " : "  note: ", to);
@@ -127,8 +120,7 @@ static void print_defect(FILE *to, const model *m, const verdict *v, nook_status
         (void)fprintf(to, "      ... and %" PRIu32 " more\n", d->count - listed);
 }
 
-static void print_reasons(FILE *to, const model *m, const verdict *v)
-{
+static void print_reasons(FILE *to, const model *m, const verdict *v) {
     int kind;
     uint32_t joinable;
     for (kind = 0; kind < NOOK_STATUS_COUNT; kind++) {
@@ -146,8 +138,7 @@ static void print_reasons(FILE *to, const model *m, const verdict *v)
 
 /* ---- figures ----------------------------------------------------------------------------------- */
 
-static void print_number(FILE *to, uint32_t n)
-{
+static void print_number(FILE *to, uint32_t n) {
     if (n == NOOK_UNKNOWN) {
         (void)fputs("unknown", to);
     } else {
@@ -155,8 +146,7 @@ static void print_number(FILE *to, uint32_t n)
     }
 }
 
-static void print_shells(FILE *to, const verdict *v)
-{
+static void print_shells(FILE *to, const verdict *v) {
     uint32_t k;
     (void)fputs("  shells     ", to);
     print_number(to, v->check.survey.components);
@@ -169,8 +159,7 @@ static void print_shells(FILE *to, const verdict *v)
     (void)fputs(v->shells.count > 5u ? "; ...\n" : "\n", to);
 }
 
-static void print_measures(FILE *to, const model *m, const nook_check_result *r)
-{
+static void print_measures(FILE *to, const model *m, const nook_check_result *r) {
     bool solid = r->watertight == NOOK_YES && r->oriented == NOOK_YES;
     if (!r->geometry_known || m->mesh.nt == 0) return;
     (void)fprintf(to, "  area       %s\n", decimal_of(r->area).text);
@@ -183,8 +172,7 @@ static void print_measures(FILE *to, const model *m, const nook_check_result *r)
     (void)fputc('\n', to);
 }
 
-static void print_figures(FILE *to, const model *m, const verdict *v)
-{
+static void print_figures(FILE *to, const model *m, const verdict *v) {
     const nook_check_result *r = &v->check;
     size_t tables = NOOK_MESH_BYTES(m->mesh.nv, m->mesh.nt);
     (void)fprintf(to, "  format     %s, %s\n", m->format,
@@ -204,8 +192,7 @@ static void print_figures(FILE *to, const model *m, const verdict *v)
                   (unsigned long)tables, NOOK_INDEX_BITS, v->digest);
 }
 
-void report_text(FILE *to, const char *file, const model *m, const verdict *v, uint32_t required)
-{
+void report_text(FILE *to, const char *file, const model *m, const verdict *v, uint32_t required) {
     print_verdict(to, file, m, v, required);
     print_unmet(to, m, v, required);
     print_reasons(to, m, v);

@@ -1,38 +1,28 @@
 /* scan.c -- a scanner of words. One pass, nothing kept; every loop advances or stops. */
 #include "scan.h"
 
-void scan_begin(scan *s, const uint8_t *data, size_t size)
-{
+void scan_begin(scan *s, const uint8_t *data, size_t size) {
     memset(s, 0, sizeof *s);
     s->at = (const char *)data;
     s->end = s->at + size;
     s->line = 1;
 }
 
-static bool is_line_end(char c)
-{
-    return c == '\n' || c == '\r';
-}
+static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
+static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
-static void take_line_end(scan *s)
-{
+static void take_line_end(scan *s) {
     char c = *s->at++;
     if (c == '\r' && s->at < s->end && *s->at == '\n') s->at++;
     s->line++;
 }
 
-static bool at_continuation(const scan *s)
-{
+static bool at_continuation(const scan *s) {
     return s->continued && *s->at == '\\' && s->at + 1 < s->end && is_line_end(s->at[1]);
 }
 
-static void skip_blanks(scan *s)
-{
+static void skip_blanks(scan *s) {
     while (s->at < s->end) {
         if (is_blank(*s->at)) {
             s->at++;
@@ -47,8 +37,7 @@ static void skip_blanks(scan *s)
     }
 }
 
-bool scan_word(scan *s, word *w)
-{
+bool scan_word(scan *s, word *w) {
     skip_blanks(s);
     w->at = s->at;
     while (s->at < s->end && !is_blank(*s->at) && !is_line_end(*s->at)) {
@@ -59,8 +48,7 @@ bool scan_word(scan *s, word *w)
     return w->length != 0;
 }
 
-bool scan_next_line(scan *s)
-{
+bool scan_next_line(scan *s) {
     while (s->at < s->end && !is_line_end(*s->at)) {
         skip_blanks(s);
         if (s->at < s->end && !is_line_end(*s->at)) s->at++;
@@ -70,32 +58,25 @@ bool scan_next_line(scan *s)
     return true;
 }
 
-bool scan_any_word(scan *s, word *w)
-{
+bool scan_any_word(scan *s, word *w) {
     while (!scan_word(s, w)) {
         if (!scan_next_line(s)) return false;
     }
     return true;
 }
 
-size_t scan_left(const scan *s)
-{
-    return (size_t)(s->end - s->at);
-}
+size_t scan_left(const scan *s) { return (size_t)(s->end - s->at); }
 
-static char lower(char c)
-{
+static char lower(char c) {
     if (c >= 'A' && c <= 'Z') return (char)(c - 'A' + 'a');
     return c;
 }
 
-bool word_is(word w, const char *text)
-{
+bool word_is(word w, const char *text) {
     return strlen(text) == w.length && memcmp(w.at, text, w.length) == 0;
 }
 
-static bool begins_any_case(word w, const char *text)
-{
+static bool begins_any_case(word w, const char *text) {
     size_t i;
     for (i = 0; text[i] != 0; i++) {
         if (i >= w.length || lower(w.at[i]) != text[i]) return false;
@@ -103,13 +84,11 @@ static bool begins_any_case(word w, const char *text)
     return true;
 }
 
-bool word_is_any_case(word w, const char *text)
-{
+bool word_is_any_case(word w, const char *text) {
     return strlen(text) == w.length && begins_any_case(w, text);
 }
 
-nook_status word_float(word w, float *x)
-{
+nook_status word_float(word w, float *x) {
     nook_status status = nook_parse_float(w.at, w.length, x);
     if (status != NOOK_BAD_NUMBER) return status;
     if (w.length != 0 && (*w.at == '+' || *w.at == '-')) {
@@ -121,8 +100,7 @@ nook_status word_float(word w, float *x)
     return NOOK_BAD_NUMBER;
 }
 
-bool word_integer(word w, int64_t *i)
-{
+bool word_integer(word w, int64_t *i) {
     bool minus = w.length != 0 && *w.at == '-';
     size_t k = w.length != 0 && (*w.at == '-' || *w.at == '+') ? 1 : 0;
     int64_t value = 0;

@@ -10,15 +10,13 @@
 
 /* ---- drawing ----------------------------------------------------------------------------------- */
 
-uint32_t drawing_vertex(drawing *d, nook_point p)
-{
+uint32_t drawing_vertex(drawing *d, nook_point p) {
     d->G = grow(d->G, &d->room_G, (size_t)d->nv + 1, sizeof *d->G);
     d->G[d->nv] = p;
     return d->nv++;
 }
 
-void drawing_triangle(drawing *d, uint32_t a, uint32_t b, uint32_t c)
-{
+void drawing_triangle(drawing *d, uint32_t a, uint32_t b, uint32_t c) {
     d->V = grow(d->V, &d->room_V, 3 * (size_t)d->nt + 3, sizeof *d->V);
     d->V[3 * (size_t)d->nt] = a;
     d->V[3 * (size_t)d->nt + 1] = b;
@@ -26,31 +24,25 @@ void drawing_triangle(drawing *d, uint32_t a, uint32_t b, uint32_t c)
     d->nt++;
 }
 
-void drawing_free(drawing *d)
-{
+void drawing_free(drawing *d) {
     free(d->G);
     free(d->V);
     memset(d, 0, sizeof *d);
 }
 
-static void triangle(drawing *d, nook_point a, nook_point b, nook_point c)
-{
+static void triangle(drawing *d, nook_point a, nook_point b, nook_point c) {
     uint32_t v = drawing_vertex(d, a);
     (void)drawing_vertex(d, b);
     (void)drawing_vertex(d, c);
     drawing_triangle(d, v, v + 1u, v + 2u);
 }
 
-static void quad(drawing *d, nook_point a, nook_point b, nook_point c, nook_point e)
-{
+static void quad(drawing *d, nook_point a, nook_point b, nook_point c, nook_point e) {
     triangle(d, a, b, c);
     triangle(d, a, c, e);
 }
 
-static nook_point plus(nook_point a, nook_point b)
-{
-    return nook_make(a.x + b.x, a.y + b.y, a.z + b.z);
-}
+static nook_point plus(nook_point a, nook_point b) { return nook_make(a.x + b.x, a.y + b.y, a.z + b.z); }
 
 /* ---- angles ------------------------------------------------------------------------------------ */
 
@@ -59,8 +51,7 @@ typedef struct direction {
 } direction;
 
 /* Sine and cosine of an angle in [0, pi/4] by their series; the rest is below one part in 10^16. */
-static void series(double a, double *sine, double *cosine)
-{
+static void series(double a, double *sine, double *cosine) {
     double square = a * a, s = 0, c = 0;
     int k;
     for (k = 8; k >= 1; k--) {
@@ -73,8 +64,7 @@ static void series(double a, double *sine, double *cosine)
 
 /* The direction i/n of a turn from the x axis. The eighth of the turn is found in integers, so that
  * the axes are met exactly and the points are symmetric. */
-static direction direction_of(uint32_t i, uint32_t n)
-{
+static direction direction_of(uint32_t i, uint32_t n) {
     uint64_t eighths = (uint64_t)8u * (i % n);
     uint32_t octant = (uint32_t)(eighths / n);
     double part = (double)(eighths % n) / (double)n, s, c, swap;
@@ -93,8 +83,7 @@ static direction direction_of(uint32_t i, uint32_t n)
 
 /* ---- shapes ------------------------------------------------------------------------------------ */
 
-static void draw_tetrahedron(drawing *d, uint32_t a, uint32_t b)
-{
+static void draw_tetrahedron(drawing *d, uint32_t a, uint32_t b) {
     nook_point p = nook_make(1, 1, 1), q = nook_make(1, -1, -1), r = nook_make(-1, 1, -1),
                s = nook_make(-1, -1, 1);
     (void)a;
@@ -107,16 +96,14 @@ static void draw_tetrahedron(drawing *d, uint32_t a, uint32_t b)
 
 /* The point (i, j) of a face cut into n by n triangles, on the unit sphere. On an edge one of the
  * three terms is zero and the sum of the others does not depend on their order. */
-static nook_point on_sphere(const nook_point corner[3], uint32_t i, uint32_t j, uint32_t n)
-{
+static nook_point on_sphere(const nook_point corner[3], uint32_t i, uint32_t j, uint32_t n) {
     nook_point p = plus(plus(nook_scaled(corner[1], (float)i), nook_scaled(corner[2], (float)j)),
                         nook_scaled(corner[0], (float)(n - i - j)));
     float length = nook_length(p);
     return nook_make(p.x / length, p.y / length, p.z / length);
 }
 
-static void draw_icosphere(drawing *d, uint32_t n, uint32_t b)
-{
+static void draw_icosphere(drawing *d, uint32_t n, uint32_t b) {
     static const float g = 1.6180339887f; /* the golden ratio */
     static const uint8_t faces[20][3] = {
         {0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
@@ -143,19 +130,14 @@ static void draw_icosphere(drawing *d, uint32_t n, uint32_t b)
 }
 
 /* A coordinate of a grid of n cells from -1 to 1. */
-static float step_of(uint32_t i, uint32_t n)
-{
-    return (float)(2.0 * i / n - 1.0);
-}
+static float step_of(uint32_t i, uint32_t n) { return (float)(2.0 * i / n - 1.0); }
 
-static nook_point on_box(uint32_t axis, float side, float u, float v)
-{
+static nook_point on_box(uint32_t axis, float side, float u, float v) {
     if (axis == 0) return nook_make(side, u, v);
     return axis == 1u ? nook_make(v, side, u) : nook_make(u, v, side);
 }
 
-static void draw_box(drawing *d, uint32_t n, uint32_t b)
-{
+static void draw_box(drawing *d, uint32_t n, uint32_t b) {
     uint32_t axis, i, j;
     (void)b;
     for (axis = 0; axis < 3u; axis++) {
@@ -171,15 +153,13 @@ static void draw_box(drawing *d, uint32_t n, uint32_t b)
     }
 }
 
-static nook_point on_torus(uint32_t i, uint32_t a, uint32_t j, uint32_t b)
-{
+static nook_point on_torus(uint32_t i, uint32_t a, uint32_t j, uint32_t b) {
     direction around = direction_of(i, a), across = direction_of(j, b);
     float r = 1.0f + 0.4f * across.x;
     return nook_make(r * around.x, r * around.y, 0.4f * across.y);
 }
 
-static void draw_torus(drawing *d, uint32_t a, uint32_t b)
-{
+static void draw_torus(drawing *d, uint32_t a, uint32_t b) {
     uint32_t i, j;
     for (i = 0; i < a; i++) {
         for (j = 0; j < b; j++) {
@@ -191,14 +171,12 @@ static void draw_torus(drawing *d, uint32_t a, uint32_t b)
 
 /* Ring k of a capsule: 0 is the lower pole, b and b + 1 the two rims of the cylinder, 2 b + 1 the
  * upper pole. */
-static nook_point on_capsule(uint32_t i, uint32_t a, uint32_t k, uint32_t b)
-{
+static nook_point on_capsule(uint32_t i, uint32_t a, uint32_t k, uint32_t b) {
     direction around = direction_of(i, a), up = direction_of(k <= b ? b - k : k - b - 1u, 4u * b);
     return nook_make(up.x * around.x, up.x * around.y, k <= b ? -1.0f - up.y : 1.0f + up.y);
 }
 
-static void draw_capsule(drawing *d, uint32_t a, uint32_t b)
-{
+static void draw_capsule(drawing *d, uint32_t a, uint32_t b) {
     uint32_t i, k;
     for (i = 0; i < a; i++) {
         triangle(d, on_capsule(0, a, 0, b), on_capsule(i + 1u, a, 1, b), on_capsule(i, a, 1, b));
@@ -216,16 +194,14 @@ typedef struct tube {
     bool teeth;
 } tube;
 
-static nook_point on_tube(const tube *t, uint32_t i, uint32_t k, bool inside)
-{
+static nook_point on_tube(const tube *t, uint32_t i, uint32_t k, bool inside) {
     direction around = direction_of(i, t->n);
     float r = inside ? 0.5f : t->teeth && i % 4u >= 2u ? 1.25f : 1.0f;
     return nook_make(r * around.x, r * around.y, (t->teeth ? 0.25f : 1.0f) * step_of(k, t->b));
 }
 
 /* The wall between columns i and j; seen from the other side when they are exchanged. */
-static void draw_wall(drawing *d, const tube *t, uint32_t i, uint32_t j, bool inside)
-{
+static void draw_wall(drawing *d, const tube *t, uint32_t i, uint32_t j, bool inside) {
     uint32_t k;
     for (k = 0; k < t->b; k++) {
         quad(d, on_tube(t, i, k, inside), on_tube(t, j, k, inside), on_tube(t, j, k + 1u, inside),
@@ -234,13 +210,11 @@ static void draw_wall(drawing *d, const tube *t, uint32_t i, uint32_t j, bool in
 }
 
 /* The end at level k between columns i and j. */
-static void draw_end(drawing *d, const tube *t, uint32_t i, uint32_t j, uint32_t k)
-{
+static void draw_end(drawing *d, const tube *t, uint32_t i, uint32_t j, uint32_t k) {
     quad(d, on_tube(t, i, k, true), on_tube(t, i, k, false), on_tube(t, j, k, false), on_tube(t, j, k, true));
 }
 
-static void draw_tube(drawing *d, const tube *t)
-{
+static void draw_tube(drawing *d, const tube *t) {
     uint32_t i, j;
     for (i = 0; i < t->n; i++) {
         j = i + 1u == t->n ? 0 : i + 1u;
@@ -251,29 +225,25 @@ static void draw_tube(drawing *d, const tube *t)
     }
 }
 
-static void draw_pipe(drawing *d, uint32_t a, uint32_t b)
-{
+static void draw_pipe(drawing *d, uint32_t a, uint32_t b) {
     tube t = {0, 0, false};
     t.n = a;
     t.b = b;
     draw_tube(d, &t);
 }
 
-static void draw_gear(drawing *d, uint32_t a, uint32_t b)
-{
+static void draw_gear(drawing *d, uint32_t a, uint32_t b) {
     tube t = {0, 0, true};
     t.n = 4u * a;
     t.b = b;
     draw_tube(d, &t);
 }
 
-static nook_point on_sheet(uint32_t i, uint32_t a, uint32_t j, uint32_t b)
-{
+static nook_point on_sheet(uint32_t i, uint32_t a, uint32_t j, uint32_t b) {
     return nook_make(step_of(i, a), step_of(j, b), 0);
 }
 
-static void draw_sheet(drawing *d, uint32_t a, uint32_t b)
-{
+static void draw_sheet(drawing *d, uint32_t a, uint32_t b) {
     uint32_t i, j;
     for (i = 0; i < a; i++) {
         for (j = 0; j < b; j++) {
@@ -284,8 +254,7 @@ static void draw_sheet(drawing *d, uint32_t a, uint32_t b)
 }
 
 /* A band that makes half a turn on its way round: at the end, row j meets row b - j. */
-static nook_point on_moebius(uint32_t i, uint32_t a, uint32_t j, uint32_t b)
-{
+static nook_point on_moebius(uint32_t i, uint32_t a, uint32_t j, uint32_t b) {
     direction around, half;
     float across, r;
     if (i == a) {
@@ -299,8 +268,7 @@ static nook_point on_moebius(uint32_t i, uint32_t a, uint32_t j, uint32_t b)
     return nook_make(r * around.x, r * around.y, across * half.y);
 }
 
-static void draw_moebius(drawing *d, uint32_t a, uint32_t b)
-{
+static void draw_moebius(drawing *d, uint32_t a, uint32_t b) {
     uint32_t i, j;
     for (i = 0; i < a; i++) {
         for (j = 0; j < b; j++) {
@@ -335,20 +303,15 @@ static const shape shapes[] = {
 
 const char shape_names[] = "tetrahedron icosphere box torus capsule pipe gear sheet moebius";
 
-static uint64_t triangles_of(const shape *s, uint64_t a, uint64_t b)
-{
+static uint64_t triangles_of(const shape *s, uint64_t a, uint64_t b) {
     return s->ab * a * b + s->a * a + s->nn * a * a + s->one;
 }
 
-static uint64_t apart(uint64_t x, uint64_t y)
-{
-    return x < y ? y - x : x - y;
-}
+static uint64_t apart(uint64_t x, uint64_t y) { return x < y ? y - x : x - y; }
 
 /* Of all grids at most twice as long or as wide as the shape wants, the one nearest in triangles;
  * among equals the best proportioned. */
-static void choose_grid(const shape *s, uint64_t wanted, uint32_t *best_a, uint32_t *best_b)
-{
+static void choose_grid(const shape *s, uint64_t wanted, uint32_t *best_a, uint32_t *best_b) {
     uint64_t best = UINT64_MAX, best_shape = UINT64_MAX, a, b;
     *best_a = s->least_a;
     *best_b = s->least_b;
@@ -369,8 +332,7 @@ static void choose_grid(const shape *s, uint64_t wanted, uint32_t *best_a, uint3
 }
 
 /* Join equal points by the library's weld. */
-static void join(drawing *d)
-{
+static void join(drawing *d) {
     nook_mesh mesh;
     nook_where where;
     nook_index *V = take(3 * (size_t)d->nt, sizeof *V), *O = take(3 * (size_t)d->nt, sizeof *O),
@@ -392,8 +354,7 @@ static void join(drawing *d)
     free(order);
 }
 
-bool draw_shape(drawing *d, const char *name, uint32_t triangles)
-{
+bool draw_shape(drawing *d, const char *name, uint32_t triangles) {
     uint32_t a, b;
     size_t i;
     memset(d, 0, sizeof *d);

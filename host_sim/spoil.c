@@ -8,37 +8,25 @@
 const char defect_names[] =
     "hole flipped inside-out duplicate nonmanifold-edge bow-tie crossing isolated degenerate unwelded nan";
 
-static void flip(drawing *d, uint32_t t)
-{
+static void flip(drawing *d, uint32_t t) {
     uint32_t *corner = &d->V[3 * (size_t)t], v = corner[1];
     corner[1] = corner[2];
     corner[2] = v;
 }
 
-static void hole(drawing *d)
-{
-    d->nt--;
-}
+static void hole(drawing *d) { d->nt--; }
 
-static void flipped(drawing *d)
-{
-    flip(d, d->nt / 2u);
-}
+static void flipped(drawing *d) { flip(d, d->nt / 2u); }
 
-static void inside_out(drawing *d)
-{
+static void inside_out(drawing *d) {
     uint32_t t;
     for (t = 0; t < d->nt; t++) flip(d, t);
 }
 
-static void duplicate(drawing *d)
-{
-    drawing_triangle(d, d->V[0], d->V[1], d->V[2]);
-}
+static void duplicate(drawing *d) { drawing_triangle(d, d->V[0], d->V[1], d->V[2]); }
 
 /* A third triangle on an edge, standing off the surface like a fin. */
-static void nonmanifold_edge(drawing *d)
-{
+static void nonmanifold_edge(drawing *d) {
     nook_point a = d->G[d->V[0]], b = d->G[d->V[1]], c = d->G[d->V[2]];
     nook_point normal = nook_cross(nook_sub(b, a), nook_sub(c, a));
     float size = nook_length(nook_sub(b, a)), length = nook_length(normal);
@@ -48,8 +36,7 @@ static void nonmanifold_edge(drawing *d)
 }
 
 /* The only vertex that lies furthest in a direction along which no shape here has a flat side. */
-static uint32_t extreme(const drawing *d)
-{
+static uint32_t extreme(const drawing *d) {
     nook_point along = nook_make(1.0f, 0.3711f, 0.1137f);
     uint32_t v, best = 0;
     for (v = 1; v < d->nv; v++) {
@@ -59,8 +46,7 @@ static uint32_t extreme(const drawing *d)
 }
 
 /* A second copy, mirrored through an extreme vertex, which both then share and nothing else. */
-static void bow_tie(drawing *d)
-{
+static void bow_tie(drawing *d) {
     uint32_t centre = extreme(d), v, i, nv = d->nv, nt = d->nt;
     nook_point c = d->G[centre], p;
     uint32_t *copy = take(nv, sizeof *copy);
@@ -76,36 +62,25 @@ static void bow_tie(drawing *d)
 }
 
 /* A second copy, moved so that the two run through each other. */
-static void crossing(drawing *d)
-{
+static void crossing(drawing *d) {
     uint32_t v, i, nv = d->nv, nt = d->nt;
     for (v = 0; v < nv; v++)
         (void)drawing_vertex(d, nook_make(d->G[v].x + 0.31f, d->G[v].y + 0.17f, d->G[v].z + 0.07f));
     for (i = 0; i < 3u * nt; i += 3u) drawing_triangle(d, d->V[i] + nv, d->V[i + 1u] + nv, d->V[i + 2u] + nv);
 }
 
-static void isolated(drawing *d)
-{
-    (void)drawing_vertex(d, nook_make(3, 3, 3));
-}
+static void isolated(drawing *d) { (void)drawing_vertex(d, nook_make(3, 3, 3)); }
 
-static void degenerate(drawing *d)
-{
-    drawing_triangle(d, d->V[0], d->V[1], d->V[1]);
-}
+static void degenerate(drawing *d) { drawing_triangle(d, d->V[0], d->V[1], d->V[1]); }
 
-static void unwelded(drawing *d)
-{
+static void unwelded(drawing *d) {
     uint32_t i, nt = d->nt, nv = d->nv;
     for (i = 0; i < 3u * nt; i++) d->V[i] = drawing_vertex(d, d->G[d->V[i]]) - nv;
     memmove(d->G, d->G + nv, 3 * (size_t)nt * sizeof *d->G);
     d->nv = 3u * nt;
 }
 
-static void not_a_number(drawing *d)
-{
-    d->G[d->V[0]].y = nook_float_from(0x7FC00000u);
-}
+static void not_a_number(drawing *d) { d->G[d->V[0]].y = nook_float_from(0x7FC00000u); }
 
 static const struct {
     const char *name;
@@ -124,8 +99,7 @@ static const struct {
     {"nan", not_a_number},
 };
 
-bool spoil(drawing *d, const char *name)
-{
+bool spoil(drawing *d, const char *name) {
     size_t i;
     for (i = 0; i < sizeof defects / sizeof defects[0]; i++) {
         if (strcmp(name, defects[i].name) != 0) continue;

@@ -7,8 +7,7 @@
 
 #include "heap.h"
 
-static void collect(void *user, nook_status kind, nook_where where)
-{
+static void collect(void *user, nook_status kind, nook_where where) {
     verdict *v = user;
     defect *d = &v->defects[kind];
     d->count++;
@@ -17,16 +16,14 @@ static void collect(void *user, nook_status kind, nook_where where)
     d->where[d->listed++] = where;
 }
 
-static void list_dropped(verdict *v, const model *m)
-{
+static void list_dropped(verdict *v, const model *m) {
     uint32_t i;
     for (i = 0; i < m->dropped_listed; i++)
         collect(v, NOOK_REPEATED_VERTEX, nook_at(NOOK_AT_TRIANGLE, m->dropped[i]));
     v->defects[NOOK_REPEATED_VERTEX].count = m->degenerate;
 }
 
-static nook_truth outward(const verdict *v)
-{
+static nook_truth outward(const verdict *v) {
     uint32_t k;
     if (v->check.watertight != NOOK_YES || v->check.oriented != NOOK_YES) return NOOK_MAYBE;
     for (k = 0; k < v->shells.count; k++) {
@@ -35,8 +32,7 @@ static nook_truth outward(const verdict *v)
     return NOOK_YES;
 }
 
-static nook_status link_and_check(verdict *v, nook_mesh *mesh, const nook_marks *marks)
-{
+static nook_status link_and_check(verdict *v, nook_mesh *mesh, const nook_marks *marks) {
     nook_finder finder = {collect, NULL};
     nook_where where;
     nook_view view;
@@ -50,8 +46,7 @@ static nook_status link_and_check(verdict *v, nook_mesh *mesh, const nook_marks 
     return status;
 }
 
-bool examine(verdict *v, model *m, uint32_t max_list, failure *f)
-{
+bool examine(verdict *v, model *m, uint32_t max_list, failure *f) {
     nook_mesh *mesh = &m->mesh;
     nook_marks marks;
     nook_status status;
@@ -73,8 +68,7 @@ bool examine(verdict *v, model *m, uint32_t max_list, failure *f)
     return status == NOOK_OK ? true : fail(f, status, NULL);
 }
 
-void verdict_free(verdict *v)
-{
+void verdict_free(verdict *v) {
     int kind;
     for (kind = 0; kind < NOOK_STATUS_COUNT; kind++) free(v->defects[kind].where);
     free(v->shells.shell);
@@ -110,20 +104,15 @@ static const char *const names[PROPERTY_COUNT] = {
     "no-degenerate", "no-duplicate", "no-isolated", "no-self-intersection",
 };
 
-const char *property_name(uint32_t property)
-{
-    return names[property];
-}
+const char *property_name(uint32_t property) { return names[property]; }
 
 /* A count that must be 0. */
-static nook_truth none(uint32_t count)
-{
+static nook_truth none(uint32_t count) {
     if (count == NOOK_UNKNOWN) return NOOK_MAYBE;
     return count == 0 ? NOOK_YES : NOOK_NO;
 }
 
-nook_truth property_of(const verdict *v, const model *m, uint32_t property)
-{
+nook_truth property_of(const verdict *v, const model *m, uint32_t property) {
     const nook_check_result *r = &v->check;
     switch (property) {
     case EDGE_MANIFOLD: return r->edge_manifold;
@@ -143,13 +132,11 @@ nook_truth property_of(const verdict *v, const model *m, uint32_t property)
     }
 }
 
-bool is_computed(uint32_t property)
-{
+bool is_computed(uint32_t property) {
     return property != CONSISTENT && property != CONVEX && property != NO_SELF_INTERSECTION;
 }
 
-static bool parse_one(const char *name, size_t length, uint32_t *bits)
-{
+static bool parse_one(const char *name, size_t length, uint32_t *bits) {
     uint32_t i;
     for (i = 0; i < PROPERTY_COUNT; i++) {
         if (strlen(names[i]) == length && memcmp(names[i], name, length) == 0) {
@@ -160,8 +147,7 @@ static bool parse_one(const char *name, size_t length, uint32_t *bits)
     return false;
 }
 
-bool properties_parse(const char *list, uint32_t *bits)
-{
+bool properties_parse(const char *list, uint32_t *bits) {
     *bits = 0;
     for (;;) {
         size_t length = strcspn(list, ",");
@@ -171,8 +157,7 @@ bool properties_parse(const char *list, uint32_t *bits)
     }
 }
 
-bool is_sound(const verdict *v, const model *m, uint32_t required)
-{
+bool is_sound(const verdict *v, const model *m, uint32_t required) {
     uint32_t i;
     if (m->mesh.nt == 0) return false;
     for (i = 0; i < PROPERTY_COUNT; i++) {
@@ -184,13 +169,9 @@ bool is_sound(const verdict *v, const model *m, uint32_t required)
 
 /* ---- defects ------------------------------------------------------------------------------- */
 
-bool is_error(nook_status kind)
-{
-    return kind != NOOK_ISOLATED_VERTEX;
-}
+bool is_error(nook_status kind) { return kind != NOOK_ISOLATED_VERTEX; }
 
-nook_point place_of(const verdict *v, const model *m, nook_status kind, uint32_t i)
-{
+nook_point place_of(const verdict *v, const model *m, nook_status kind, uint32_t i) {
     nook_view view = nook_view_of(&m->mesh);
     nook_where where = v->defects[kind].where[i];
     nook_point a, b, c;

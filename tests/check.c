@@ -9,13 +9,9 @@ static uint32_t passed, failed, skipped;
 static const char *running;
 static bool bad, left_out;
 
-void print_text(const char *text)
-{
-    nook_port_write(text, strlen(text));
-}
+void print_text(const char *text) { nook_port_write(text, strlen(text)); }
 
-void print_number(uint32_t number)
-{
+void print_number(uint32_t number) {
     char digits[10];
     uint32_t i = sizeof digits;
     do {
@@ -25,8 +21,7 @@ void print_number(uint32_t number)
     nook_port_write(digits + i, sizeof digits - i);
 }
 
-void print_hex(uint32_t number)
-{
+void print_hex(uint32_t number) {
     char digits[8];
     uint32_t i = sizeof digits;
     while (i-- > 0) {
@@ -36,8 +31,7 @@ void print_hex(uint32_t number)
     nook_port_write(digits, sizeof digits);
 }
 
-static void print_place(const char *text, const char *file, int line)
-{
+static void print_place(const char *text, const char *file, int line) {
     bad = true;
     print_text(file);
     print_text(":");
@@ -48,16 +42,14 @@ static void print_place(const char *text, const char *file, int line)
     print_text(text);
 }
 
-bool check_true(bool condition, const char *text, const char *file, int line)
-{
+bool check_true(bool condition, const char *text, const char *file, int line) {
     if (condition) return true;
     print_place(text, file, line);
     print_text("\n");
     return false;
 }
 
-bool check_equal(uint32_t got, uint32_t expected, const char *text, const char *file, int line)
-{
+bool check_equal(uint32_t got, uint32_t expected, const char *text, const char *file, int line) {
     if (got == expected) return true;
     print_place(text, file, line);
     print_text(" is ");
@@ -68,8 +60,7 @@ bool check_equal(uint32_t got, uint32_t expected, const char *text, const char *
     return false;
 }
 
-void skip_test(const char *why)
-{
+void skip_test(const char *why) {
     left_out = true;
     print_text("SKIPPED ");
     print_text(running);
@@ -78,21 +69,16 @@ void skip_test(const char *why)
     print_text("\n");
 }
 
-bool test_has_failed(void)
-{
-    return bad;
-}
+bool test_has_failed(void) { return bad; }
 
-uint32_t throw_dice(dice *d, uint32_t sides)
-{
+uint32_t throw_dice(dice *d, uint32_t sides) {
     d->state ^= d->state << 13;
     d->state ^= d->state >> 17;
     d->state ^= d->state << 5;
     return d->state % sides;
 }
 
-void run_tests(const test *tests, size_t count)
-{
+void run_tests(const test *tests, size_t count) {
     size_t i;
     for (i = 0; i < count; i++) {
         running = tests[i].name;
@@ -104,8 +90,7 @@ void run_tests(const test *tests, size_t count)
     }
 }
 
-int finish_tests(void)
-{
+int finish_tests(void) {
     print_number(passed);
     print_text(" passed, ");
     print_number(failed);

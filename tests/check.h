@@ -24,9 +24,7 @@ typedef struct test {
     const char *name;
 } test;
 #define TEST(name)                                                                                           \
-    {                                                                                                        \
-        name, #name                                                                                          \
-    }
+    { name, #name }
 
 bool check_true(bool condition, const char *text, const char *file, int line);
 bool check_equal(uint32_t got, uint32_t expected, const char *text, const char *file, int line);

@@ -4,8 +4,7 @@
 
 #include "nook_port.h"
 
-int main(void)
-{
+int main(void) {
     int status;
     test_core();
     test_number();

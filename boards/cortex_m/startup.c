@@ -11,8 +11,7 @@ extern uint32_t board_stack_top[], board_data_load[], board_data[], board_data_e
 int main(void);
 void board_reset(void);
 
-static void board_fault(void)
-{
+static void board_fault(void) {
     static const char text[] = "fault\n";
     nook_port_write(text, sizeof text - 1);
     nook_port_exit(3);
@@ -37,8 +36,7 @@ __attribute__((section(".vectors"), used)) static void (*const vectors[16])(void
     board_fault,
 };
 
-void board_reset(void)
-{
+void board_reset(void) {
     uint32_t *to;
     const uint32_t *from = board_data_load;
 #ifdef __ARM_FP

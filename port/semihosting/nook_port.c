@@ -5,8 +5,7 @@ enum { SYS_WRITE0 = 0x04, SYS_EXIT_EXTENDED = 0x20, APPLICATION_EXIT = 0x20026 }
 
 static volatile uint32_t *const systick = (volatile uint32_t *)0xE000E010u; /* control, reload, value */
 
-static int call(int operation, const void *argument)
-{
+static int call(int operation, const void *argument) {
     register int r0 __asm__("r0") = operation;
     register const void *r1 __asm__("r1") = argument;
     __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
@@ -14,8 +13,7 @@ static int call(int operation, const void *argument)
 }
 
 /* The call takes text that ends in a zero, so it goes in pieces through a buffer. */
-void nook_port_write(const char *text, size_t length)
-{
+void nook_port_write(const char *text, size_t length) {
     char piece[65];
     while (length > 0) {
         size_t n = 0;
@@ -30,8 +28,7 @@ void nook_port_write(const char *text, size_t length)
     }
 }
 
-void nook_port_exit(int status)
-{
+void nook_port_exit(int status) {
     const uint32_t block[2] = {APPLICATION_EXIT, (uint32_t)status};
     call(SYS_EXIT_EXTENDED, block);
     for (;;) {
@@ -40,8 +37,7 @@ void nook_port_exit(int status)
 
 /* SysTick counts core clocks down in 24 bits; with instruction counting in the emulator that is a
  * count of instructions. */
-uint32_t nook_port_ticks(void)
-{
+uint32_t nook_port_ticks(void) {
     if ((systick[0] & 1u) == 0) {
         systick[1] = 0xFFFFFFu;
         systick[2] = 0;

@@ -8,21 +8,18 @@ static const uint32_t crc_of_nibble[16] = {
     0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu, 0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu,
 };
 
-static uint32_t digest_word(uint32_t crc, uint32_t word)
-{
+static uint32_t digest_word(uint32_t crc, uint32_t word) {
     uint32_t i;
     crc ^= word; /* a little-endian word is its four bytes in order */
     for (i = 0; i < 8u; i++) crc = crc >> 4 ^ crc_of_nibble[crc & 15u];
     return crc;
 }
 
-static uint32_t digest_float(uint32_t crc, float x)
-{
+static uint32_t digest_float(uint32_t crc, float x) {
     return digest_word(crc, nook_float_bits(x == 0 ? 0.0f : x));
 }
 
-uint32_t nook_digest(const nook_view *view)
-{
+uint32_t nook_digest(const nook_view *view) {
     uint32_t i, crc = UINT32_MAX;
     crc = digest_word(crc, view->nv);
     crc = digest_word(crc, view->nt);

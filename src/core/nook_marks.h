@@ -20,31 +20,26 @@ typedef struct nook_marks {
     uint32_t max_nt, max_nv; /* for how many they were declared */
 } nook_marks;
 
-static inline bool nook_bit(const uint8_t *bits, uint32_t i)
-{
+static inline bool nook_bit(const uint8_t *bits, uint32_t i) {
     return ((uint32_t)bits[i >> 3] >> (i & 7u) & 1u) != 0;
 }
 
-static inline void nook_set_bit(uint8_t *bits, uint32_t i)
-{
+static inline void nook_set_bit(uint8_t *bits, uint32_t i) {
     bits[i >> 3] = (uint8_t)(bits[i >> 3] | 1u << (i & 7u));
 }
 
-static inline void nook_clear_bit(uint8_t *bits, uint32_t i)
-{
+static inline void nook_clear_bit(uint8_t *bits, uint32_t i) {
     bits[i >> 3] = (uint8_t)(bits[i >> 3] & ~(1u << (i & 7u)));
 }
 
 /* The three bits of triangle t as a number 0..7. */
-static inline uint32_t nook_code(const uint8_t *Mt, uint32_t t)
-{
+static inline uint32_t nook_code(const uint8_t *Mt, uint32_t t) {
     uint32_t i = 3u * t;
     uint32_t two = Mt[i >> 3] | (uint32_t)Mt[(i >> 3) + 1u] << 8;
     return two >> (i & 7u) & 7u;
 }
 
-static inline void nook_set_code(uint8_t *Mt, uint32_t t, uint32_t code)
-{
+static inline void nook_set_code(uint8_t *Mt, uint32_t t, uint32_t code) {
     uint32_t i = 3u * t, shift = i & 7u;
     uint32_t two = Mt[i >> 3] | (uint32_t)Mt[(i >> 3) + 1u] << 8;
     two = (two & ~(7u << shift)) | code << shift;

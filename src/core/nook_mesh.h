@@ -75,8 +75,7 @@ nook_status nook_view_init(nook_view *view, const nook_point *G, const nook_inde
                            const nook_index *C, uint32_t nv, uint32_t nt);
 
 /* The const view of a mesh, as it is now. */
-static inline nook_view nook_view_of(const nook_mesh *mesh)
-{
+static inline nook_view nook_view_of(const nook_mesh *mesh) {
     nook_view view = {mesh->G, mesh->V, mesh->O, mesh->C, mesh->nv, mesh->nt};
     return view;
 }
@@ -89,10 +88,7 @@ nook_status nook_mesh_append(nook_mesh *mesh, const nook_point corners[3]);
 nook_status nook_point_status(nook_point point);
 
 /* The stored form of an index. Its value must fit; "none" becomes all bits set. */
-static inline nook_index nook_store(uint32_t index)
-{
-    return (nook_index)index;
-}
+static inline nook_index nook_store(uint32_t index) { return (nook_index)index; }
 #define NOOK_STORED_NONE ((nook_index)NOOK_NONE)
 
 /* CRC-32 (IEEE 802.3, reflected) over V, T, G, V[], O[], every item as a little-endian 32-bit

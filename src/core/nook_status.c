@@ -30,18 +30,11 @@ static const char *const names[NOOK_STATUS_COUNT][2] = {
     {"unknown_format", "not a format that can be read"},
 };
 
-static const char *text(nook_status status, int which)
-{
+static const char *text(nook_status status, int which) {
     if ((unsigned)status >= (unsigned)NOOK_STATUS_COUNT) return "unknown_status";
     return names[status][which];
 }
 
-const char *nook_status_name(nook_status status)
-{
-    return text(status, 0);
-}
+const char *nook_status_name(nook_status status) { return text(status, 0); }
 
-const char *nook_status_text(nook_status status)
-{
-    return text(status, 1);
-}
+const char *nook_status_text(nook_status status) { return text(status, 1); }

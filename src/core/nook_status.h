@@ -60,8 +60,7 @@ typedef struct nook_where {
     uint32_t index;
 } nook_where;
 
-static inline nook_where nook_at(nook_kind kind, uint32_t index)
-{
+static inline nook_where nook_at(nook_kind kind, uint32_t index) {
     nook_where where = {kind, index};
     return where;
 }
@@ -73,8 +72,7 @@ typedef struct nook_finder {
     void *user;
 } nook_finder;
 
-static inline void nook_tell(const nook_finder *finder, nook_status defect, nook_kind kind, uint32_t index)
-{
+static inline void nook_tell(const nook_finder *finder, nook_status defect, nook_kind kind, uint32_t index) {
     if (finder != NULL && finder->found != NULL) finder->found(finder->user, defect, nook_at(kind, index));
 }
 

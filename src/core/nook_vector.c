@@ -4,8 +4,7 @@
 /* Digit by digit, two bits of the radicand for one of the root, as on paper. The radicand is
  * brought to 2^24 <= m < 2^26 with an even exponent; 25 steps give 24 bits of root and one more to
  * round by. The root of a 24-bit number is never half way between two floats, so that bit decides. */
-float nook_sqrt_by_integers(float x)
-{
+float nook_sqrt_by_integers(float x) {
     uint32_t bits = nook_float_bits(x), m = bits & 0x7FFFFFu, root = 0, sum = 0, bit;
     int32_t exponent = (int32_t)(bits >> 23);
     if (bits == 0 || bits == 0x80000000u || bits == 0x7F800000u) return x;
@@ -29,8 +28,7 @@ float nook_sqrt_by_integers(float x)
     return nook_float_from(((uint32_t)(exponent / 2 + 126) << 23) + (root >> 1));
 }
 
-float nook_length(nook_point a)
-{
+float nook_length(nook_point a) {
     float x = a.x < 0 ? -a.x : a.x, y = a.y < 0 ? -a.y : a.y, z = a.z < 0 ? -a.z : a.z;
     float most = x > y ? x : y;
     uint32_t exponent = nook_exponent(most > z ? most : z);
@@ -39,8 +37,7 @@ float nook_length(nook_point a)
     return nook_sqrt(nook_dot(a, a)) * nook_power_of_two(exponent);
 }
 
-void nook_add(nook_sum *sum, float term)
-{
+void nook_add(nook_sum *sum, float term) {
     float total = sum->total + term;
     float big = sum->total < 0 ? -sum->total : sum->total;
     if (big >= (term < 0 ? -term : term)) {

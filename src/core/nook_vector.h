@@ -7,15 +7,13 @@
 #include "core/nook_mesh.h"
 
 /* The bits of a float, and back. */
-static inline uint32_t nook_float_bits(float x)
-{
+static inline uint32_t nook_float_bits(float x) {
     uint32_t bits;
     memcpy(&bits, &x, sizeof bits);
     return bits;
 }
 
-static inline float nook_float_from(uint32_t bits)
-{
+static inline float nook_float_from(uint32_t bits) {
     float x;
     memcpy(&x, &bits, sizeof x);
     return x;
@@ -23,40 +21,27 @@ static inline float nook_float_from(uint32_t bits)
 
 /* 2^(biased - 127), and the biased exponent of |x| brought into 1..253, so that both the power of
  * two near x and its inverse are normal floats. */
-static inline float nook_power_of_two(uint32_t biased)
-{
-    return nook_float_from(biased << 23);
-}
+static inline float nook_power_of_two(uint32_t biased) { return nook_float_from(biased << 23); }
 
-static inline uint32_t nook_exponent(float x)
-{
+static inline uint32_t nook_exponent(float x) {
     uint32_t biased = nook_float_bits(x) >> 23 & 0xFFu;
     return biased < 1u ? 1u : biased > 253u ? 253u : biased;
 }
 
-static inline nook_point nook_make(float x, float y, float z)
-{
+static inline nook_point nook_make(float x, float y, float z) {
     nook_point p = {x, y, z};
     return p;
 }
 
-static inline nook_point nook_sub(nook_point a, nook_point b)
-{
+static inline nook_point nook_sub(nook_point a, nook_point b) {
     return nook_make(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
-static inline nook_point nook_scaled(nook_point a, float s)
-{
-    return nook_make(a.x * s, a.y * s, a.z * s);
-}
+static inline nook_point nook_scaled(nook_point a, float s) { return nook_make(a.x * s, a.y * s, a.z * s); }
 
-static inline float nook_dot(nook_point a, nook_point b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+static inline float nook_dot(nook_point a, nook_point b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-static inline nook_point nook_cross(nook_point a, nook_point b)
-{
+static inline nook_point nook_cross(nook_point a, nook_point b) {
     return nook_make(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
@@ -66,8 +51,7 @@ static inline nook_point nook_cross(nook_point a, nook_point b)
 float nook_sqrt_by_integers(float x);
 
 /* The correctly rounded square root: one instruction where the core has it. */
-static inline float nook_sqrt(float x)
-{
+static inline float nook_sqrt(float x) {
 #if defined(__ARM_FP) && (__ARM_FP & 4) && defined(__arm__)
     float root;
     __asm__("vsqrt.f32 %0, %1" : "=t"(root) : "t"(x));
@@ -100,9 +84,6 @@ typedef struct nook_sum {
 
 void nook_add(nook_sum *sum, float term);
 
-static inline float nook_sum_value(const nook_sum *sum)
-{
-    return sum->total + sum->lost;
-}
+static inline float nook_sum_value(const nook_sum *sum) { return sum->total + sum->lost; }
 
 #endif

@@ -14,7 +14,7 @@ enum phase {
     VERTICES,
     SURVEY,
     BOX,
-    ZERO_SHELLS,
+    ZERO,
     MEASURE,
     SHELLS,
     FINISHED,
@@ -24,36 +24,31 @@ enum phase {
 /* ---- tables ----------------------------------------------------------------------------------- */
 
 static void count(const nook_check_state *s, uint32_t *counter, nook_status defect, nook_kind kind,
-                  uint32_t index)
-{
+                  uint32_t index) {
     ++*counter;
     nook_tell(s->finder, defect, kind, index);
 }
 
-static void look_at_point(nook_check_state *s, uint32_t v)
-{
+static void look_at_point(nook_check_state *s, uint32_t v) {
     nook_status status = nook_point_status(s->view.G[v]);
     if (status != NOOK_OK) count(s, &s->result->bad_coordinates, status, NOOK_AT_VERTEX, v);
 }
 
-static void look_at_index(nook_check_state *s, uint32_t c)
-{
+static void look_at_index(nook_check_state *s, uint32_t c) {
     if (s->view.V[c] < s->view.nv) return;
     count(s, &s->result->bad_indices, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_CORNER, c);
 }
 
 /* O[c] names c itself, or a corner that names c and faces the same two vertices in the opposite
  * direction. */
-static bool opposite_is_good(const nook_view *m, uint32_t c)
-{
+static bool opposite_is_good(const nook_view *m, uint32_t c) {
     uint32_t o = m->O[c];
     if (o == c) return true;
     if (o >= 3u * m->nt || m->O[o] != c) return false;
     return m->V[nook_next(c)] == m->V[nook_prev(o)] && m->V[nook_prev(c)] == m->V[nook_next(o)];
 }
 
-static void look_at_corner(nook_check_state *s, uint32_t c)
-{
+static void look_at_corner(nook_check_state *s, uint32_t c) {
     const nook_index *V = s->view.V;
     nook_set_bit(s->marks.Mv, V[c]);
     if (!opposite_is_good(&s->view, c)) {
@@ -64,8 +59,7 @@ static void look_at_corner(nook_check_state *s, uint32_t c)
     count(s, &s->result->repeated_vertex_triangles, NOOK_REPEATED_VERTEX, NOOK_AT_TRIANGLE, nook_triangle(c));
 }
 
-static void look_at_vertex(nook_check_state *s, uint32_t v)
-{
+static void look_at_vertex(nook_check_state *s, uint32_t v) {
     uint32_t c = nook_corner_of(&s->view, v);
     bool used = nook_bit(s->marks.Mv, v),
          good = c == NOOK_NONE ? !used : c < 3u * s->view.nt && s->view.V[c] == v;
@@ -73,21 +67,16 @@ static void look_at_vertex(nook_check_state *s, uint32_t v)
     if (!good) count(s, &s->result->bad_corners, NOOK_BAD_VERTEX_CORNER, NOOK_AT_VERTEX, v);
 }
 
-static bool tables_are_good(const nook_check_result *r)
-{
+static bool tables_are_good(const nook_check_result *r) {
     return r->bad_indices == 0 && r->bad_opposites == 0 && r->bad_corners == 0 &&
            r->repeated_vertex_triangles == 0;
 }
 
 /* ---- what follows from counts ------------------------------------------------------------------ */
 
-static nook_truth truth(bool value)
-{
-    return value ? NOOK_YES : NOOK_NO;
-}
+static nook_truth truth(bool value) { return value ? NOOK_YES : NOOK_NO; }
 
-static void copy_report(nook_check_result *r, const nook_report *report)
-{
+static void copy_report(nook_check_result *r, const nook_report *report) {
     r->edges = report->edges;
     r->border_edges = report->border_edges;
     r->matched_edges = report->matched_edges;
@@ -108,16 +97,14 @@ static void copy_report(nook_check_result *r, const nook_report *report)
 }
 
 /* After the survey, or without it: conclude, and go on to what can be measured. */
-static void conclude(nook_check_state *s)
-{
+static void conclude(nook_check_state *s) {
     nook_check_result *r = s->result;
     if (s->report != NULL && tables_are_good(r)) copy_report(r, s->report);
     s->phase = r->bad_coordinates == 0 && r->bad_corners == 0 ? BOX : FINISHED;
 }
 
 /* The survey is taken from the report, or done where O tells all: link cut no edge but borders. */
-static nook_status begin_survey(nook_check_state *s)
-{
+static nook_status begin_survey(nook_check_state *s) {
     nook_check_result *r = s->result;
     const nook_report *report = s->report;
     bool whole = report == NULL || (report->incoherent_edges == 0 && report->nonmanifold_edges == 0);
@@ -135,8 +122,7 @@ static nook_status begin_survey(nook_check_state *s)
     return NOOK_OK;
 }
 
-static nook_status survey(nook_check_state *s, uint32_t *units)
-{
+static nook_status survey(nook_check_state *s, uint32_t *units) {
     nook_status status = nook_survey_step(&s->in.survey, units);
     if (status == NOOK_OK) conclude(s);
     if (status != NOOK_OK && status != NOOK_MORE) s->phase = FAILED;
@@ -145,14 +131,12 @@ static nook_status survey(nook_check_state *s, uint32_t *units)
 
 /* ---- measures --------------------------------------------------------------------------------- */
 
-static void widen(float *low, float *high, float x)
-{
+static void widen(float *low, float *high, float x) {
     if (x < *low) *low = x;
     if (x > *high) *high = x;
 }
 
-static void extend_box(nook_check_state *s, uint32_t v)
-{
+static void extend_box(nook_check_state *s, uint32_t v) {
     nook_check_result *r = s->result;
     nook_point p = s->view.G[v];
     if (s->view.C[v] == NOOK_STORED_NONE) return;
@@ -165,8 +149,7 @@ static void extend_box(nook_check_state *s, uint32_t v)
 
 /* Coordinates are measured from the middle of the box and scaled by a power of two to about 1, so
  * that neither far nor tiny nor huge meshes lose digits. */
-static void begin_measure(nook_check_state *s)
-{
+static void begin_measure(nook_check_state *s) {
     nook_check_result *r = s->result;
     nook_point size = nook_sub(r->box_max, r->box_min), half = nook_scaled(size, 0.5f);
     float most = size.x > size.y ? size.x : size.y;
@@ -178,8 +161,7 @@ static void begin_measure(nook_check_state *s)
 }
 
 /* The area of triangle t, and the volume of the tetrahedron over it from the middle of the box. */
-static void measure_triangle(nook_check_state *s, uint32_t t)
-{
+static void measure_triangle(nook_check_state *s, uint32_t t) {
     float scale = s->in.measure.scale, volume;
     nook_point a = nook_point_at(&s->view, 3u * t);
     nook_point ab = nook_scaled(nook_sub(nook_point_at(&s->view, 3u * t + 1u), a), scale);
@@ -192,14 +174,12 @@ static void measure_triangle(nook_check_state *s, uint32_t t)
     if (shell != NULL) nook_add(&shell->volume, volume);
 }
 
-static float unscaled_volume(const nook_check_state *s, const nook_sum *sum)
-{
+static float unscaled_volume(const nook_check_state *s, const nook_sum *sum) {
     float back = s->in.measure.back;
     return nook_sum_value(sum) * back * back * back;
 }
 
-static void end_measure(nook_check_state *s)
-{
+static void end_measure(nook_check_state *s) {
     nook_check_result *r = s->result;
     float back = s->in.measure.back;
     r->geometry_known = true;
@@ -210,13 +190,11 @@ static void end_measure(nook_check_state *s)
     if (s->shells == NULL && r->signed_volume < 0) nook_tell(s->finder, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, 0);
 }
 
-static void zero_shell(nook_check_state *s, uint32_t k)
-{
+static void zero_shell(nook_check_state *s, uint32_t k) {
     memset(&s->shells->shell[k].volume, 0, sizeof s->shells->shell[k].volume);
 }
 
-static void finish_shell(nook_check_state *s, uint32_t k)
-{
+static void finish_shell(nook_check_state *s, uint32_t k) {
     nook_shell *shell = &s->shells->shell[k];
     bool closed = !shell->has_nonmanifold_edge && shell->border_edges == 0 && shell->incoherent_edges == 0;
     shell->signed_volume = closed ? unscaled_volume(s, &shell->volume) : 0;
@@ -227,8 +205,7 @@ static void finish_shell(nook_check_state *s, uint32_t k)
 /* ---- passes ----------------------------------------------------------------------------------- */
 
 /* How many items the pass has. */
-static uint32_t length(const nook_check_state *s)
-{
+static uint32_t length(const nook_check_state *s) {
     switch (s->phase) {
     case POINTS:
     case VERTICES:
@@ -237,14 +214,13 @@ static uint32_t length(const nook_check_state *s)
     case CORNERS: return 3u * s->view.nt;
     case MARKS: return (uint32_t)NOOK_MV_BYTES(s->view.nv);
     case MEASURE: return s->view.nt;
-    case ZERO_SHELLS:
+    case ZERO:
     case SHELLS: return s->shells != NULL ? s->shells->count : 0;
     default: return NOOK_NONE;
     }
 }
 
-static nook_status next_pass(nook_check_state *s)
-{
+static nook_status next_pass(nook_check_state *s) {
     s->at = 0;
     switch (s->phase++) {
     case INDICES:
@@ -253,14 +229,13 @@ static nook_status next_pass(nook_check_state *s)
         if (s->shells != NULL) s->shells->count = 0;
         return NOOK_OK;
     case VERTICES: return begin_survey(s);
-    case ZERO_SHELLS: begin_measure(s); return NOOK_OK;
+    case ZERO: begin_measure(s); return NOOK_OK;
     case MEASURE: end_measure(s); return NOOK_OK;
     default: return NOOK_OK;
     }
 }
 
-static void visit(nook_check_state *s, uint32_t i)
-{
+static void visit(nook_check_state *s, uint32_t i) {
     switch (s->phase) {
     case POINTS: look_at_point(s, i); return;
     case INDICES: look_at_index(s, i); return;
@@ -268,14 +243,13 @@ static void visit(nook_check_state *s, uint32_t i)
     case CORNERS: look_at_corner(s, i); return;
     case VERTICES: look_at_vertex(s, i); return;
     case BOX: extend_box(s, i); return;
-    case ZERO_SHELLS: zero_shell(s, i); return;
+    case ZERO: zero_shell(s, i); return;
     case MEASURE: measure_triangle(s, i); return;
     default: finish_shell(s, i); return;
     }
 }
 
-nook_status nook_check_step(nook_check_state *s, uint32_t *units)
-{
+nook_status nook_check_step(nook_check_state *s, uint32_t *units) {
     while (s->phase < FINISHED) {
         nook_status status = NOOK_OK;
         if (s->phase != SURVEY && s->at == length(s)) {
@@ -293,8 +267,7 @@ nook_status nook_check_step(nook_check_state *s, uint32_t *units)
     return s->phase == FINISHED ? NOOK_OK : NOOK_BAD_OPPOSITE;
 }
 
-static void all_unknown(nook_check_result *r)
-{
+static void all_unknown(nook_check_result *r) {
     memset(r, 0, sizeof *r);
     r->edges = r->border_edges = r->matched_edges = r->incoherent_edges = NOOK_UNKNOWN;
     r->nonmanifold_edges = r->duplicate_triangles = NOOK_UNKNOWN;
@@ -305,8 +278,7 @@ static void all_unknown(nook_check_result *r)
 
 nook_status nook_check_begin(nook_check_state *s, const nook_view *view, const nook_marks *marks,
                              const nook_report *report, nook_shells *shells, const nook_finder *finder,
-                             nook_check_result *result)
-{
+                             nook_check_result *result) {
     if (s == NULL || view == NULL || marks == NULL || result == NULL) return NOOK_NULL_ARGUMENT;
     memset(s, 0, sizeof *s);
     s->phase = FAILED;
@@ -328,8 +300,7 @@ nook_status nook_check_begin(nook_check_state *s, const nook_view *view, const n
 }
 
 nook_status nook_check(const nook_view *view, const nook_marks *marks, const nook_report *report,
-                       nook_shells *shells, const nook_finder *finder, nook_check_result *result)
-{
+                       nook_shells *shells, const nook_finder *finder, nook_check_result *result) {
     nook_check_state state;
     uint32_t units;
     nook_status status = nook_check_begin(&state, view, marks, report, shells, finder, result);
@@ -341,8 +312,7 @@ nook_status nook_check(const nook_view *view, const nook_marks *marks, const noo
     return status;
 }
 
-bool nook_is_sound(const nook_check_result *r)
-{
+bool nook_is_sound(const nook_check_result *r) {
     return tables_are_good(r) && r->bad_coordinates == 0 && r->manifold == NOOK_YES &&
            r->watertight == NOOK_YES && r->oriented == NOOK_YES && r->inside_out == NOOK_NO &&
            r->duplicate_triangles == 0;

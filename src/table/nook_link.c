@@ -24,25 +24,10 @@
 
 enum { LOOKS = 16 };
 enum flags { SUSPECT = 1, LONG_LIST = 2 };
-enum phase {
-    HEADS,
-    INSERT,
-    TAILS,
-    PAIR,
-    MARKS,
-    CENSUS,
-    SURVEY,
-    CUT,
-    FINISHED,
-    FAILED,
-    SORT_TAIL,
-    SPLIT_TAIL,
-    RING,
-    RING_AGAIN
-};
+enum phase { HEADS, INSERT, TAILS, PAIR, MARKS, CENSUS, SURVEY, CUT, FINISHED, FAILED };
+enum inner { SORT_TAIL = FAILED + 1, SPLIT_TAIL, RING, RING_AGAIN }; /* inside TAILS and CENSUS */
 
-static nook_status fail(nook_link_state *s, nook_status status, nook_kind kind, uint32_t index)
-{
+static nook_status fail(nook_link_state *s, nook_status status, nook_kind kind, uint32_t index) {
     s->where = nook_at(kind, index);
     s->phase = FAILED;
     s->at = (uint32_t)status;
@@ -50,21 +35,18 @@ static nook_status fail(nook_link_state *s, nook_status status, nook_kind kind, 
 }
 
 /* The sum of the ends of the edge that c faces: of the triangle's vertices less that of c. */
-static inline uint32_t edge_sum(const nook_index *V, uint32_t c)
-{
+static inline uint32_t edge_sum(const nook_index *V, uint32_t c) {
     const nook_index *t = V + (size_t)3u * nook_triangle(c);
     return (uint32_t)t[0] + t[1] + t[2] - V[c];
 }
 
 /* Whether two corners that face the same edge run it in opposite directions. */
-static inline bool coherent(const nook_index *V, uint32_t c, uint32_t o)
-{
+static inline bool coherent(const nook_index *V, uint32_t c, uint32_t o) {
     return V[nook_next(c)] == V[nook_prev(o)];
 }
 
 /* Whether c is at the largest vertex of its triangle. */
-static inline bool is_highest(const nook_index *V, uint32_t c)
-{
+static inline bool is_highest(const nook_index *V, uint32_t c) {
     return V[c] > V[nook_next(c)] && V[c] > V[nook_prev(c)];
 }
 
@@ -77,29 +59,25 @@ typedef struct tally {
     uint32_t edges, flags;
 } tally;
 
-static tally tally_of(const nook_link_state *s)
-{
+static tally tally_of(const nook_link_state *s) {
     tally n = {s->mesh->V, s->mesh->O, s->mesh->C, 0, 0};
     return n;
 }
 
-static void keep(nook_link_state *s, const tally *n)
-{
+static void keep(nook_link_state *s, const tally *n) {
     s->report->edges += n->edges;
     s->flags |= n->flags;
 }
 
 /* c lies on the edge of leader x: it leaves the lists and points at x. What a sound mesh does not
  * have makes the mesh suspect: an edge run twice in the same direction, twins with the same tip. */
-static inline void join(tally *n, uint32_t c, uint32_t x, uint32_t from)
-{
+static inline void join(tally *n, uint32_t c, uint32_t x, uint32_t from) {
     n->O[c] = nook_store(x);
     n->flags |= (uint32_t)(n->V[nook_next(x)] == from) | (uint32_t)(n->V[c] == n->V[x]);
 }
 
 /* c leads an edge and is the end of its list, or stands alone. */
-static inline void lead(tally *n, uint32_t c)
-{
+static inline void lead(tally *n, uint32_t c) {
     n->O[c] = nook_store(c);
     n->edges++;
 }
@@ -107,8 +85,7 @@ static inline void lead(tally *n, uint32_t c)
 /* Hang corner c, which faces the edge from -> to, on the list of the smaller vertex. At most LOOKS
  * looks, since a tail is not searched. All edges of a list have that vertex, so two are equal if the
  * sums of their ends are. */
-static inline void insert(tally *n, uint32_t c, uint32_t from, uint32_t to)
-{
+static inline void insert(tally *n, uint32_t c, uint32_t from, uint32_t to) {
     uint32_t low = from < to ? from : to, ends = from + to;
     uint32_t x = n->head[low], looks = LOOKS, next;
     if (x == NOOK_STORED_NONE) {
@@ -136,8 +113,7 @@ static inline void insert(tally *n, uint32_t c, uint32_t from, uint32_t to)
 }
 
 /* The corner of t that cannot be used, or the triangle itself. */
-static nook_status bad_triangle(nook_link_state *s, uint32_t t)
-{
+static nook_status bad_triangle(nook_link_state *s, uint32_t t) {
     uint32_t c;
     for (c = 3u * t; c < 3u * t + 3u; c++) {
         if (s->mesh->V[c] >= s->mesh->nv) return fail(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_CORNER, c);
@@ -145,8 +121,7 @@ static nook_status bad_triangle(nook_link_state *s, uint32_t t)
     return fail(s, NOOK_REPEATED_VERTEX, NOOK_AT_TRIANGLE, t);
 }
 
-static nook_status insert_triangles(nook_link_state *s, uint32_t t, uint32_t end)
-{
+static nook_status insert_triangles(nook_link_state *s, uint32_t t, uint32_t end) {
     tally n = tally_of(s);
     uint32_t nv = s->mesh->nv, c, last, from;
     for (; t < end; t++) {
@@ -167,8 +142,7 @@ static nook_status insert_triangles(nook_link_state *s, uint32_t t, uint32_t end
 /* ---- tails ------------------------------------------------------------------------------------ */
 
 /* If the list of vertex v is longer than was searched, cut off its tail to have it sorted. */
-static void find_tail(nook_link_state *s, uint32_t v)
-{
+static void find_tail(nook_link_state *s, uint32_t v) {
     nook_index *O = s->mesh->O, x = s->mesh->C[v];
     uint32_t i;
     if (x == NOOK_STORED_NONE) return;
@@ -180,15 +154,13 @@ static void find_tail(nook_link_state *s, uint32_t v)
 }
 
 /* Whether y must come before x: by the other end of the edge, then by corner. */
-static inline bool edge_before(const void *vertices, uint32_t y, uint32_t x)
-{
+static inline bool edge_before(const void *vertices, uint32_t y, uint32_t x) {
     const nook_index *V = vertices;
     uint32_t a = edge_sum(V, y), b = edge_sum(V, x);
     return a != b ? a < b : y < x;
 }
 
-static void sort_tail(nook_link_state *s, uint32_t *units)
-{
+static void sort_tail(nook_link_state *s, uint32_t *units) {
     bool sorted = false;
     for (; *units != 0 && !sorted; --*units) {
         sorted = nook_sort_step(&s->in.sort, s->mesh->O, s->mesh->V, edge_before);
@@ -200,8 +172,7 @@ static void sort_tail(nook_link_state *s, uint32_t *units)
 }
 
 /* In a sorted tail equal edges are neighbours and the smallest corner comes first: it leads. */
-static void split_tail(nook_link_state *s)
-{
+static void split_tail(nook_link_state *s) {
     tally n = tally_of(s);
     uint32_t x = s->list;
     s->list = nook_list_next(n.O, x);
@@ -218,8 +189,7 @@ static void split_tail(nook_link_state *s)
 /* ---- pair ------------------------------------------------------------------------------------- */
 
 /* A leader stands alone; a member takes its place in its leader's ring. C gets its corners. */
-static void pair_corners(nook_link_state *s, uint32_t b, uint32_t end)
-{
+static void pair_corners(nook_link_state *s, uint32_t b, uint32_t end) {
     tally n = tally_of(s);
     uint32_t thirds = 0;
     for (; b < end; b++) {
@@ -239,8 +209,7 @@ static void pair_corners(nook_link_state *s, uint32_t b, uint32_t end)
 
 /* Edges were counted when inserted. If none has a third corner or runs one way twice, the corners
  * that do not lead were all matched, and the report is complete. */
-static void pairs_done(nook_link_state *s)
-{
+static void pairs_done(nook_link_state *s) {
     nook_report *r = s->report;
     uint32_t members = 3u * s->mesh->nt - r->edges;
     bool wants_to_hear = s->finder != NULL && s->finder->found != NULL;
@@ -252,20 +221,17 @@ static void pairs_done(nook_link_state *s)
 
 /* ---- census ----------------------------------------------------------------------------------- */
 
-static void duplicate(nook_link_state *s, uint32_t c)
-{
+static void duplicate(nook_link_state *s, uint32_t c) {
     s->report->duplicate_triangles++;
     nook_tell(s->finder, NOOK_DUPLICATE_TRIANGLE, NOOK_AT_TRIANGLE, nook_triangle(c));
 }
 
-static void count_edge(nook_link_state *s, uint32_t *counter, nook_status defect, uint32_t c)
-{
+static void count_edge(nook_link_state *s, uint32_t *counter, nook_status defect, uint32_t c) {
     ++*counter;
     nook_tell(s->finder, defect, NOOK_AT_CORNER, c);
 }
 
-static void count_pair(nook_link_state *s, uint32_t c, uint32_t o)
-{
+static void count_pair(nook_link_state *s, uint32_t c, uint32_t o) {
     const nook_index *V = s->mesh->V;
     if (V[c] == V[o] && is_highest(V, c)) duplicate(s, o); /* once, at one of its three edges */
     if (coherent(V, c, o)) {
@@ -276,8 +242,7 @@ static void count_pair(nook_link_state *s, uint32_t c, uint32_t o)
 }
 
 /* The ring of corner c, if c leads it: leaders alone point forward, or at themselves. */
-static void count_ring(nook_link_state *s, uint32_t c)
-{
+static void count_ring(nook_link_state *s, uint32_t c) {
     nook_report *r = s->report;
     const nook_index *O = s->mesh->O;
     uint32_t o = O[c];
@@ -298,8 +263,7 @@ static void count_ring(nook_link_state *s, uint32_t c)
 /* One corner of a ring of three or more. First round: its tip is marked, and a tip met again is a
  * duplicate triangle; only tips beyond the edge, so that a set of vertices counts at one of its
  * edges. Second round: the marks are wiped. */
-static void walk_ring(nook_link_state *s)
-{
+static void walk_ring(nook_link_state *s) {
     uint32_t c = s->list, tip = s->mesh->V[c];
     bool again = s->phase == RING_AGAIN;
     s->corners++;
@@ -316,8 +280,7 @@ static void walk_ring(nook_link_state *s)
 }
 
 /* A mesh with other defects than borders is surveyed before it is cut. */
-static nook_status begin_survey(nook_link_state *s)
-{
+static nook_status begin_survey(nook_link_state *s) {
     nook_report *r = s->report;
     nook_view view = nook_view_of(s->mesh);
     nook_index *rings = r->nonmanifold_edges != 0 ? s->mesh->O : NULL;
@@ -332,8 +295,7 @@ static nook_status begin_survey(nook_link_state *s)
     return NOOK_OK;
 }
 
-static nook_status survey(nook_link_state *s, uint32_t *units)
-{
+static nook_status survey(nook_link_state *s, uint32_t *units) {
     nook_status status = nook_survey_step(&s->in.survey, units);
     if (status == NOOK_OK) s->phase = CUT;
     return status == NOOK_OK || status == NOOK_MORE ? NOOK_OK : fail(s, status, NOOK_NOWHERE, 0);
@@ -341,8 +303,7 @@ static nook_status survey(nook_link_state *s, uint32_t *units)
 
 /* Everything but a coherent pair becomes its own opposite. Corners of an edge with three triangles
  * or more are never mutual, in their rings or as the survey leaves them. */
-static void cut(nook_link_state *s, uint32_t c)
-{
+static void cut(nook_link_state *s, uint32_t c) {
     nook_index *O = s->mesh->O;
     uint32_t o = O[c];
     if (O[o] == c && coherent(s->mesh->V, c, o)) return;
@@ -353,8 +314,7 @@ static void cut(nook_link_state *s, uint32_t c)
 /* ---- passes ----------------------------------------------------------------------------------- */
 
 /* How many items the pass has. */
-static uint32_t length(const nook_link_state *s)
-{
+static uint32_t length(const nook_link_state *s) {
     switch (s->phase) {
     case HEADS:
     case TAILS: return s->mesh->nv;
@@ -367,8 +327,7 @@ static uint32_t length(const nook_link_state *s)
     }
 }
 
-static nook_status next_pass(nook_link_state *s)
-{
+static nook_status next_pass(nook_link_state *s) {
     s->at = 0;
     s->phase++;
     if (s->phase == TAILS && !(s->flags & LONG_LIST)) s->phase = PAIR;
@@ -376,8 +335,7 @@ static nook_status next_pass(nook_link_state *s)
     return s->phase == SURVEY ? begin_survey(s) : NOOK_OK;
 }
 
-static void work(nook_link_state *s)
-{
+static void work(nook_link_state *s) {
     switch (s->phase) {
     case TAILS: find_tail(s, s->at++); return;
     case SPLIT_TAIL: split_tail(s); return;
@@ -389,8 +347,7 @@ static void work(nook_link_state *s)
 }
 
 /* Up to *units items of one pass; the passes that every mesh goes through have loops of their own. */
-static nook_status advance(nook_link_state *s, uint32_t *units)
-{
+static nook_status advance(nook_link_state *s, uint32_t *units) {
     uint32_t at = s->at, left = length(s) - at, count = *units < left ? *units : left;
     if (left == 0) return next_pass(s);
     if (s->phase == SURVEY) return survey(s, units);
@@ -414,8 +371,7 @@ static nook_status advance(nook_link_state *s, uint32_t *units)
     return NOOK_OK;
 }
 
-nook_status nook_link_step(nook_link_state *s, uint32_t *units)
-{
+nook_status nook_link_step(nook_link_state *s, uint32_t *units) {
     while (s->phase != FINISHED) {
         nook_status status;
         if (s->phase == FAILED) return (nook_status)s->at;
@@ -427,8 +383,7 @@ nook_status nook_link_step(nook_link_state *s, uint32_t *units)
 }
 
 nook_status nook_link_begin(nook_link_state *s, nook_mesh *mesh, const nook_marks *marks, nook_shells *shells,
-                            const nook_finder *finder, nook_report *report)
-{
+                            const nook_finder *finder, nook_report *report) {
     if (s == NULL || mesh == NULL || report == NULL) return NOOK_NULL_ARGUMENT;
     memset(s, 0, sizeof *s);
     fail(s, NOOK_NULL_ARGUMENT, NOOK_NOWHERE, 0);
@@ -450,8 +405,7 @@ nook_status nook_link_begin(nook_link_state *s, nook_mesh *mesh, const nook_mark
 }
 
 nook_status nook_link(nook_mesh *mesh, const nook_marks *marks, nook_shells *shells,
-                      const nook_finder *finder, nook_report *report, nook_where *where)
-{
+                      const nook_finder *finder, nook_report *report, nook_where *where) {
     nook_link_state state;
     uint32_t units;
     nook_status status = nook_link_begin(&state, mesh, marks, shells, finder, report);

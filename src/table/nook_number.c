@@ -20,8 +20,7 @@ enum flags { NEGATIVE = 1, INEXACT = 2, EXPONENT_NEGATIVE = 4, NO_DIGIT_YET = 8 
 /* ---- integers of many words, the least first ------------------------------------------------- */
 
 /* words = words * factor + add; returns the new count. The caller leaves room. */
-static uint32_t multiply_add(uint32_t *word, uint32_t count, uint32_t factor, uint32_t add)
-{
+static uint32_t multiply_add(uint32_t *word, uint32_t count, uint32_t factor, uint32_t add) {
     uint64_t carry = add;
     uint32_t i;
     for (i = 0; i < count; i++) {
@@ -33,23 +32,20 @@ static uint32_t multiply_add(uint32_t *word, uint32_t count, uint32_t factor, ui
     return count;
 }
 
-static uint32_t times_power_of_ten(uint32_t *word, uint32_t count, uint32_t power)
-{
+static uint32_t times_power_of_ten(uint32_t *word, uint32_t count, uint32_t power) {
     for (; power >= 9u; power -= 9u) count = multiply_add(word, count, 1000000000u, 0);
     for (; power > 0; power--) count = multiply_add(word, count, 10u, 0);
     return count;
 }
 
-static uint32_t bit_length(const uint32_t *word, uint32_t count)
-{
+static uint32_t bit_length(const uint32_t *word, uint32_t count) {
     uint32_t top = word[count - 1u], bits = 32u * (count - 1u);
     for (; top != 0; top >>= 1) bits++;
     return bits;
 }
 
 /* All WORDS words, zeros above included. */
-static void shift_left(uint32_t *word, uint32_t bits)
-{
+static void shift_left(uint32_t *word, uint32_t bits) {
     uint32_t whole = bits / 32u, part = bits % 32u, i;
     for (i = WORDS; i-- > 0;) {
         uint32_t high = i >= whole ? word[i - whole] : 0;
@@ -59,8 +55,7 @@ static void shift_left(uint32_t *word, uint32_t bits)
 }
 
 /* a = a - b if that is not negative; whether it was done. */
-static bool take_away(uint32_t *a, const uint32_t *b)
-{
+static bool take_away(uint32_t *a, const uint32_t *b) {
     uint32_t i = WORDS, borrow = 0;
     while (i > 0 && a[i - 1u] == b[i - 1u]) i--;
     if (i > 0 && a[i - 1u] < b[i - 1u]) return false;
@@ -74,14 +69,12 @@ static bool take_away(uint32_t *a, const uint32_t *b)
 
 /* ---- reading --------------------------------------------------------------------------------- */
 
-void nook_number_begin(nook_number *number)
-{
+void nook_number_begin(nook_number *number) {
     memset(number, 0, sizeof *number);
     number->flags = NO_DIGIT_YET;
 }
 
-static void take_digit(nook_number *n, uint32_t digit, bool fraction)
-{
+static void take_digit(nook_number *n, uint32_t digit, bool fraction) {
     n->flags = (uint8_t)(n->flags & ~NO_DIGIT_YET);
     if (n->kept == KEEP) {
         if (digit != 0) n->flags |= INEXACT;
@@ -95,8 +88,7 @@ static void take_digit(nook_number *n, uint32_t digit, bool fraction)
     n->kept++;
 }
 
-nook_status nook_number_push(nook_number *n, char byte)
-{
+nook_status nook_number_push(nook_number *n, char byte) {
     uint32_t digit = (uint32_t)(uint8_t)byte - (uint32_t)'0';
     bool in_exponent = n->place >= AT_EXPONENT, sign = byte == '-' || byte == '+';
     if (digit <= 9u && in_exponent) {
@@ -120,8 +112,7 @@ nook_status nook_number_push(nook_number *n, char byte)
 
 /* ---- rounding -------------------------------------------------------------------------------- */
 
-static float power_of_ten(uint32_t power)
-{
+static float power_of_ten(uint32_t power) {
     float ten = 1.0f;
     for (; power > 0; power--) ten *= 10.0f; /* exact up to 10^10 */
     return ten;
@@ -129,8 +120,7 @@ static float power_of_ten(uint32_t power)
 
 /* quotient * 2^exponent, where quotient has 26 bits or more of the value and its last bit says
  * whether anything follows: rounded to float bits, infinity included. */
-static uint32_t round_to_float(uint32_t quotient, int32_t exponent)
-{
+static uint32_t round_to_float(uint32_t quotient, int32_t exponent) {
     uint32_t drop = 1, half, bits; /* at least 2 of the 26 bits go */
     int32_t top = exponent;
     for (bits = quotient; bits > 1u; bits >>= 1) top++;
@@ -148,8 +138,7 @@ static uint32_t round_to_float(uint32_t quotient, int32_t exponent)
 }
 
 /* D * 10^scale by integers. */
-static uint32_t exact_bits(const nook_number *n, int32_t scale)
-{
+static uint32_t exact_bits(const nook_number *n, int32_t scale) {
     uint32_t top[WORDS] = {0}, under[WORDS] = {0}, count = n->words, under_count = 1, quotient = 0, i;
     int32_t shift;
     memcpy(top, n->digits, count * sizeof *top);
@@ -180,8 +169,7 @@ static uint32_t exact_bits(const nook_number *n, int32_t scale)
     return round_to_float(quotient, -shift - 1);
 }
 
-nook_status nook_number_value(const nook_number *n, float *value)
-{
+nook_status nook_number_value(const nook_number *n, float *value) {
     int32_t scale = n->scale + (n->flags & EXPONENT_NEGATIVE ? -n->exponent : n->exponent);
     uint32_t sign = n->flags & NEGATIVE ? 0x80000000u : 0, bits;
     if ((n->flags & NO_DIGIT_YET) || n->place == AT_EXPONENT || n->place == AT_EXPONENT_DIGIT)
@@ -203,8 +191,7 @@ nook_status nook_number_value(const nook_number *n, float *value)
     return NOOK_OK;
 }
 
-nook_status nook_parse_float(const char *text, size_t length, float *value)
-{
+nook_status nook_parse_float(const char *text, size_t length, float *value) {
     nook_number number;
     size_t i;
     nook_number_begin(&number);

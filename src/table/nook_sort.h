@@ -20,21 +20,18 @@ typedef struct nook_list_sort {
 /* Sort the list that begins at head. before(context, y, x) says whether y of the right run must
  * come before x of the left one; sort->head is the result. Private to nook's own files; they pass a
  * function that the compiler sees, so that nothing is called through a pointer. */
-static inline uint32_t nook_list_next(const nook_index *link, uint32_t x)
-{
+static inline uint32_t nook_list_next(const nook_index *link, uint32_t x) {
     return link[x] == x ? NOOK_NONE : (uint32_t)link[x];
 }
 
-static inline void nook_sort_pair_of_runs(nook_list_sort *s)
-{
+static inline void nook_sort_pair_of_runs(nook_list_sort *s) {
     s->q = s->p;
     s->p_left = 0;
     s->merging = false;
     s->merges++;
 }
 
-static inline void nook_sort_begin(nook_list_sort *s, uint32_t head)
-{
+static inline void nook_sort_begin(nook_list_sort *s, uint32_t head) {
     s->head = s->tail = NOOK_NONE;
     s->p = head;
     s->run = 1;
@@ -43,8 +40,7 @@ static inline void nook_sort_begin(nook_list_sort *s, uint32_t head)
 }
 
 /* Both runs are used up: on to the next two, or the next pass, or the end. */
-static inline bool nook_sort_next_runs(nook_list_sort *s, nook_index *link)
-{
+static inline bool nook_sort_next_runs(nook_list_sort *s, nook_index *link) {
     s->p = s->q;
     if (s->p == NOOK_NONE) {
         link[s->tail] = (nook_index)s->tail;
@@ -60,8 +56,7 @@ static inline bool nook_sort_next_runs(nook_list_sort *s, nook_index *link)
 
 /* One element further; true when the list is sorted. */
 static inline bool nook_sort_step(nook_list_sort *s, nook_index *link, const void *context,
-                                  bool (*before)(const void *context, uint32_t y, uint32_t x))
-{
+                                  bool (*before)(const void *context, uint32_t y, uint32_t x)) {
     bool q_has = s->q != NOOK_NONE;
     uint32_t taken;
     if (!s->merging) {

@@ -19,55 +19,36 @@ static const char *const expected[] = {
     "vertex", "0",      "0", "0", "vertex", "0",     "0",    "0",      "endloop", "endfacet",
 };
 
-enum step {
-    FACET = 0,
-    FIRST_SKIP = 2,
-    LAST_SKIP = 4,
-    FIRST_NUMBER = 8,
-    ENDFACET = 20,
-    SOLID,
-    NAME,
-    LAST_NAME,
-    HEADER,
-    RECORD
-};
+enum step { FACET, SKIPS = 2, NUMBERS = 8, ENDFACET = 20, SOLID, NAME, LAST_NAME, HEADER, RECORD };
 
-static nook_status fail(nook_stl *stl, nook_status status)
-{
+static nook_status fail(nook_stl *stl, nook_status status) {
     stl->failed = (uint8_t)status;
     stl->where = stl->ascii ? nook_at(NOOK_AT_LINE, stl->line) : nook_at(NOOK_AT_BYTE, stl->offset);
     return status;
 }
 
-void nook_stl_begin(nook_stl *stl, uint32_t size)
-{
+void nook_stl_begin(nook_stl *stl, uint32_t size) {
     memset(stl, 0, sizeof *stl);
     stl->size = size;
     stl->line = 1;
     stl->step = HEADER;
 }
 
-static uint32_t little_endian(const uint8_t *b)
-{
+static uint32_t little_endian(const uint8_t *b) {
     return (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
 }
 
-static bool is_space(uint8_t byte)
-{
-    return byte == ' ' || (byte >= '\t' && byte <= '\r');
-}
+static bool is_space(uint8_t byte) { return byte == ' ' || (byte >= '\t' && byte <= '\r'); }
 
 /* ---- binary ---------------------------------------------------------------------------------- */
 
-static float *coordinate(nook_stl *stl, uint32_t i)
-{
+static float *coordinate(nook_stl *stl, uint32_t i) {
     nook_point *p = &stl->corner[nook_triangle(i)];
     uint32_t axis = i - 3u * nook_triangle(i);
     return axis == 0 ? &p->x : axis == 1u ? &p->y : &p->z;
 }
 
-static nook_status take_record(nook_stl *stl, nook_point corners[3])
-{
+static nook_status take_record(nook_stl *stl, nook_point corners[3]) {
     uint32_t i;
     for (i = 0; i < 9u; i++) *coordinate(stl, i) = nook_float_from(little_endian(stl->bytes + 12u + 4u * i));
     for (i = 0; i < 3u; i++) {
@@ -84,8 +65,7 @@ static nook_status take_record(nook_stl *stl, nook_point corners[3])
 }
 
 /* Copy into bytes[] until it holds count; true when it does. */
-static bool fill(nook_stl *stl, uint32_t count, const uint8_t **at, size_t *left)
-{
+static bool fill(nook_stl *stl, uint32_t count, const uint8_t **at, size_t *left) {
     size_t wanted = count - stl->filled, take = wanted < *left ? wanted : *left;
     memcpy(stl->bytes + stl->filled, *at, take);
     stl->filled = (uint8_t)(stl->filled + take);
@@ -95,8 +75,7 @@ static bool fill(nook_stl *stl, uint32_t count, const uint8_t **at, size_t *left
     return stl->filled == count;
 }
 
-static nook_status push_binary(nook_stl *stl, const uint8_t **at, size_t *left, nook_point corners[3])
-{
+static nook_status push_binary(nook_stl *stl, const uint8_t **at, size_t *left, nook_point corners[3]) {
     if (stl->triangles == stl->declared) {
         stl->trailing = stl->trailing || *left != 0;
         *at += *left;
@@ -108,14 +87,12 @@ static nook_status push_binary(nook_stl *stl, const uint8_t **at, size_t *left, 
 
 /* ---- ASCII ----------------------------------------------------------------------------------- */
 
-static bool word_is(const nook_stl *stl, const char *word)
-{
+static bool word_is(const nook_stl *stl, const char *word) {
     return stl->letters == strlen(word) && memcmp(stl->word, word, stl->letters) == 0;
 }
 
 /* A word has ended where a name was due. */
-static nook_status take_word(nook_stl *stl)
-{
+static nook_status take_word(nook_stl *stl) {
     bool solid = word_is(stl, "solid"), end = word_is(stl, "endsolid");
     if (stl->step == SOLID && !solid) return fail(stl, NOOK_BAD_SYNTAX);
     if (stl->step == SOLID || (stl->step == FACET && (solid || end))) {
@@ -128,9 +105,8 @@ static nook_status take_word(nook_stl *stl)
     return NOOK_OK;
 }
 
-static nook_status take_number(nook_stl *stl)
-{
-    uint32_t i = (uint32_t)(stl->step - FIRST_NUMBER);
+static nook_status take_number(nook_stl *stl) {
+    uint32_t i = (uint32_t)(stl->step - NUMBERS);
     float *value = coordinate(stl, i - i / 4u);
     nook_status status = nook_number_value(&stl->number, value);
     if (status == NOOK_OK) status = nook_point_status(nook_make(*value, 0, 0));
@@ -138,19 +114,14 @@ static nook_status take_number(nook_stl *stl)
     return status == NOOK_OK ? NOOK_OK : fail(stl, status);
 }
 
-static bool at_number(const nook_stl *stl)
-{
-    return stl->step < ENDFACET && expected[stl->step][0] == '0';
-}
+static bool at_number(const nook_stl *stl) { return stl->step < ENDFACET && expected[stl->step][0] == '0'; }
 
-static bool at_skip(const nook_stl *stl)
-{
-    return stl->step >= NAME || (stl->step >= FIRST_SKIP && stl->step <= LAST_SKIP);
+static bool at_skip(const nook_stl *stl) {
+    return stl->step >= NAME || (stl->step >= SKIPS && stl->step < SKIPS + 3);
 }
 
 /* White space ends a word, and a line ends a name. */
-static nook_status take_space(nook_stl *stl, uint8_t byte)
-{
+static nook_status take_space(nook_stl *stl, uint8_t byte) {
     nook_status status = NOOK_OK;
     if (stl->letters != 0 && at_number(stl)) {
         status = take_number(stl);
@@ -169,15 +140,13 @@ static nook_status take_space(nook_stl *stl, uint8_t byte)
 }
 
 /* The word "nan" or "inf" where a number is due deserves its own answer. */
-static nook_status bad_number(const nook_stl *stl, uint8_t byte)
-{
+static nook_status bad_number(const nook_stl *stl, uint8_t byte) {
     uint8_t letter = byte | 0x20u;
     return stl->letters <= 1u && (letter == 'n' || letter == 'i') ? NOOK_NOT_FINITE : NOOK_BAD_NUMBER;
 }
 
 /* One byte of a text. NOOK_TRIANGLE with the last letter of "endfacet", which may end the file. */
-static nook_status take_byte(nook_stl *stl, uint8_t byte)
-{
+static nook_status take_byte(nook_stl *stl, uint8_t byte) {
     if (is_space(byte)) return take_space(stl, byte);
     if (at_number(stl)) {
         if (stl->letters == 0) nook_number_begin(&stl->number);
@@ -193,8 +162,7 @@ static nook_status take_byte(nook_stl *stl, uint8_t byte)
     return NOOK_TRIANGLE;
 }
 
-static nook_status push_ascii(nook_stl *stl, const uint8_t **at, size_t *left, nook_point corners[3])
-{
+static nook_status push_ascii(nook_stl *stl, const uint8_t **at, size_t *left, nook_point corners[3]) {
     while (*left != 0) {
         nook_status status = take_byte(stl, **at);
         if (status != NOOK_OK && status != NOOK_TRIANGLE) return status;
@@ -211,8 +179,7 @@ static nook_status push_ascii(nook_stl *stl, const uint8_t **at, size_t *left, n
 
 /* ---- which of the two ------------------------------------------------------------------------ */
 
-static bool looks_like_text(const nook_stl *stl)
-{
+static bool looks_like_text(const nook_stl *stl) {
     static const char solid[] = "solid";
     uint32_t i, first = 0;
     while (first < stl->filled && is_space(stl->bytes[first])) first++;
@@ -225,8 +192,7 @@ static bool looks_like_text(const nook_stl *stl)
     return true;
 }
 
-static nook_status begin_text(nook_stl *stl)
-{
+static nook_status begin_text(nook_stl *stl) {
     nook_status status = NOOK_OK;
     uint32_t i;
     stl->ascii = true;
@@ -235,8 +201,7 @@ static nook_status begin_text(nook_stl *stl)
     return status;
 }
 
-static nook_status decide(nook_stl *stl)
-{
+static nook_status decide(nook_stl *stl) {
     uint64_t needed;
     stl->declared = little_endian(stl->bytes + 80);
     needed = HEADER_BYTES + (uint64_t)RECORD_BYTES * stl->declared;
@@ -248,8 +213,7 @@ static nook_status decide(nook_stl *stl)
     return fail(stl, NOOK_TRUNCATED);
 }
 
-nook_status nook_stl_push(nook_stl *stl, const uint8_t **at, size_t *left, nook_point corners[3])
-{
+nook_status nook_stl_push(nook_stl *stl, const uint8_t **at, size_t *left, nook_point corners[3]) {
     if (stl->failed != NOOK_OK) return (nook_status)stl->failed;
     if (stl->step == HEADER) {
         nook_status status;
@@ -260,8 +224,7 @@ nook_status nook_stl_push(nook_stl *stl, const uint8_t **at, size_t *left, nook_
     return stl->ascii ? push_ascii(stl, at, left, corners) : push_binary(stl, at, left, corners);
 }
 
-nook_status nook_stl_end(nook_stl *stl)
-{
+nook_status nook_stl_end(nook_stl *stl) {
     nook_status status = NOOK_OK;
     if (stl->failed != NOOK_OK) return (nook_status)stl->failed;
     if (stl->step == HEADER) {

@@ -18,62 +18,41 @@
 
 #include <string.h>
 
-enum phase {
-    CLEAR,
-    ROOTS,
-    CLEAR_FOR_FANS,
-    FANS,
-    CLEAR_FOR_LOOPS,
-    LOOPS,
-    FINISHED,
-    FAILED,
-    LOOK,
-    BACK,
-    FAN,
-    LOOP
-};
+enum phase { CLEAR, ROOTS, CLEAR_FOR_FANS, FANS, CLEAR_FOR_LOOPS, LOOPS, FINISHED, FAILED };
+enum inner { LOOK = FAILED + 1, BACK, FAN, LOOP }; /* inside ROOTS, FANS and LOOPS */
 
 /* The corner across the edge that c faces if exactly two triangles share it, else c. */
-static inline uint32_t across(const nook_survey_state *s, uint32_t c)
-{
+static inline uint32_t across(const nook_survey_state *s, uint32_t c) {
     uint32_t o = s->view.O[c];
     return s->view.O[o] == c ? o : c;
 }
 
 /* The third corner of a triangle, given two: 3t, 3t+1, 3t+2 sum to 9t + 3. */
-static inline uint32_t third(uint32_t a, uint32_t b)
-{
-    return 9u * nook_triangle(a) + 3u - a - b;
-}
+static inline uint32_t third(uint32_t a, uint32_t b) { return 9u * nook_triangle(a) + 3u - a - b; }
 
 /* The corner at vertex v of the triangle of x, other than x; NOOK_NONE if there is none. */
-static inline uint32_t beside(const nook_survey_state *s, uint32_t x, uint32_t v)
-{
+static inline uint32_t beside(const nook_survey_state *s, uint32_t x, uint32_t v) {
     uint32_t n = nook_next(x), p = nook_prev(x);
     return s->view.V[n] == v ? n : s->view.V[p] == v ? p : NOOK_NONE;
 }
 
-static bool runs_against(const nook_survey_state *s, uint32_t c)
-{
+static bool runs_against(const nook_survey_state *s, uint32_t c) {
     return nook_code(s->marks.Mt, nook_triangle(c)) > 3u;
 }
 
-static bool entered(const nook_survey_state *s, uint32_t c)
-{
+static bool entered(const nook_survey_state *s, uint32_t c) {
     return nook_code(s->marks.Mt, nook_triangle(c)) != 0;
 }
 
 /* The shell of corner c, or null if it is not described. */
-static nook_shell *shell_at(const nook_survey_state *s, uint32_t c)
-{
+static nook_shell *shell_at(const nook_survey_state *s, uint32_t c) {
     return nook_shell_of(s->shells, nook_triangle(c));
 }
 
 /* ---- components ------------------------------------------------------------------------------- */
 
 /* Enter the triangle of corner e; against: whether it runs against the component's first. */
-static void enter(nook_survey_state *s, uint32_t e, bool against)
-{
+static void enter(nook_survey_state *s, uint32_t e, bool against) {
     uint32_t t = nook_triangle(e), i;
     nook_index k = nook_store(s->result->components - 1u);
     nook_shell *shell;
@@ -92,8 +71,7 @@ static void enter(nook_survey_state *s, uint32_t e, bool against)
     }
 }
 
-static void find_root(nook_survey_state *s, uint32_t t)
-{
+static void find_root(nook_survey_state *s, uint32_t t) {
     if (entered(s, 3u * t)) return;
     if (s->shells != NULL && s->result->components < s->shells->max_shells) {
         nook_shell *shell = &s->shells->shell[s->shells->count++];
@@ -109,8 +87,7 @@ static void find_root(nook_survey_state *s, uint32_t t)
 
 /* All edges of c are done: the next corner of its triangle, in the order n(entry), p(entry), and for
  * the first triangle, which was entered by no edge, the entry corner itself. */
-static void next_corner(nook_survey_state *s)
-{
+static void next_corner(nook_survey_state *s) {
     if (s->c == s->entry) {
         s->phase = ROOTS;
     } else if (s->c == nook_next(s->entry) || s->entry == s->start) {
@@ -121,8 +98,7 @@ static void next_corner(nook_survey_state *s)
 }
 
 /* Look across c at o, the only other corner on the edge. */
-static void look_at_pair(nook_survey_state *s, uint32_t o)
-{
+static void look_at_pair(nook_survey_state *s, uint32_t o) {
     bool coherent = s->view.V[nook_next(s->c)] == s->view.V[nook_prev(o)];
     bool against = runs_against(s, s->c) == coherent, first = !entered(s, o);
     nook_shell *shell = shell_at(s, s->c);
@@ -141,8 +117,7 @@ static void look_at_pair(nook_survey_state *s, uint32_t o)
 }
 
 /* Look across c at y, the next on the ring of an edge with more than two triangles. */
-static void look_at_ring(nook_survey_state *s, uint32_t y)
-{
+static void look_at_ring(nook_survey_state *s, uint32_t y) {
     nook_index *O = s->rings;
     uint32_t x = s->c, next = O[y];
     nook_shell *shell = shell_at(s, x);
@@ -153,8 +128,7 @@ static void look_at_ring(nook_survey_state *s, uint32_t y)
     if (!entered(s, y)) enter(s, y, false);
 }
 
-static bool look(nook_survey_state *s)
-{
+static bool look(nook_survey_state *s) {
     uint32_t o = s->view.O[s->c];
     nook_shell *shell = shell_at(s, s->c);
     if (o == s->c) {
@@ -171,8 +145,7 @@ static bool look(nook_survey_state *s)
 }
 
 /* The triangle entered by s->entry is done: back across that edge. A ring may have more. */
-static bool back(nook_survey_state *s)
-{
+static bool back(nook_survey_state *s) {
     uint32_t e = s->entry, t, k;
     s->c = s->view.O[e];
     t = nook_triangle(s->c);
@@ -185,8 +158,7 @@ static bool back(nook_survey_state *s)
 
 /* ---- fans ------------------------------------------------------------------------------------- */
 
-static void find_fan(nook_survey_state *s, uint32_t c)
-{
+static void find_fan(nook_survey_state *s, uint32_t c) {
     nook_shell *shell = shell_at(s, c);
     if (nook_bit(s->marks.Mt, c)) return;
     nook_set_bit(s->marks.Mt, c);
@@ -201,8 +173,7 @@ static void find_fan(nook_survey_state *s, uint32_t c)
 }
 
 /* The fan is complete. If it misses the corner that C names, its vertex has another fan. */
-static bool end_fan(nook_survey_state *s)
-{
+static bool end_fan(nook_survey_state *s) {
     s->phase = FANS;
     if (s->home == NOOK_NONE || nook_bit(s->marks.Mv, s->v)) return true;
     nook_set_bit(s->marks.Mv, s->v);
@@ -213,8 +184,7 @@ static bool end_fan(nook_survey_state *s)
 
 /* Cross the edge that s->c faces, turning about s->v; both ways from the first corner, unless the
  * first way comes round. */
-static bool turn(nook_survey_state *s)
-{
+static bool turn(nook_survey_state *s) {
     uint32_t o = across(s, s->c), at_v;
     if (o == s->c) {
         if (s->other_way) return end_fan(s);
@@ -233,8 +203,7 @@ static bool turn(nook_survey_state *s)
 
 /* ---- loops ------------------------------------------------------------------------------------ */
 
-static void find_loop(nook_survey_state *s, uint32_t c)
-{
+static void find_loop(nook_survey_state *s, uint32_t c) {
     nook_shell *shell = shell_at(s, c);
     if (s->view.O[c] != c || nook_bit(s->marks.Mt, c)) return;
     nook_set_bit(s->marks.Mt, c);
@@ -247,8 +216,7 @@ static void find_loop(nook_survey_state *s, uint32_t c)
 
 /* In the triangle of s->c, which was entered across the edge that s->c faces, or faces the border
  * edge that ends at s->v: on to the other edge at s->v. */
-static bool follow(nook_survey_state *s)
-{
+static bool follow(nook_survey_state *s) {
     uint32_t at_v = beside(s, s->c, s->v), x, o;
     if (at_v == NOOK_NONE) return false;
     x = third(s->c, at_v);
@@ -269,8 +237,7 @@ static bool follow(nook_survey_state *s)
 /* ---- passes ----------------------------------------------------------------------------------- */
 
 /* The next item of a pass of n, or NOOK_NONE and on to the next pass. */
-static uint32_t item(nook_survey_state *s, uint32_t n)
-{
+static uint32_t item(nook_survey_state *s, uint32_t n) {
     if (s->at < n) return s->at++;
     s->at = 0;
     s->hops = 11u * s->view.nt + 8u; /* more than a pass needs on tables that hold still */
@@ -279,8 +246,7 @@ static uint32_t item(nook_survey_state *s, uint32_t n)
     return NOOK_NONE;
 }
 
-static void clear(nook_survey_state *s)
-{
+static void clear(nook_survey_state *s) {
     uint32_t mt = (uint32_t)NOOK_MT_BYTES(s->view.nt), i = item(s, mt > s->view.nv ? mt : s->view.nv);
     s->hops++;
     if (i < mt) s->marks.Mt[i] = 0;
@@ -288,8 +254,7 @@ static void clear(nook_survey_state *s)
     if (i < s->view.nv && s->shells != NULL && s->phase == CLEAR) s->shells->stamp[i] = NOOK_STORED_NONE;
 }
 
-static bool hop(nook_survey_state *s)
-{
+static bool hop(nook_survey_state *s) {
     uint32_t i;
     switch (s->phase) {
     case LOOK: return look(s);
@@ -312,8 +277,7 @@ static bool hop(nook_survey_state *s)
     }
 }
 
-nook_status nook_survey_step(nook_survey_state *s, uint32_t *units)
-{
+nook_status nook_survey_step(nook_survey_state *s, uint32_t *units) {
     while (s->phase != FINISHED) {
         if (s->phase == FAILED) return NOOK_BAD_OPPOSITE;
         if (*units == 0) return NOOK_MORE;
@@ -325,8 +289,7 @@ nook_status nook_survey_step(nook_survey_state *s, uint32_t *units)
 
 nook_status nook_survey_begin(nook_survey_state *s, const nook_view *view, nook_index *rings,
                               const nook_marks *marks, nook_shells *shells, const nook_finder *finder,
-                              nook_survey *result)
-{
+                              nook_survey *result) {
     if (s == NULL || view == NULL || marks == NULL || result == NULL) return NOOK_NULL_ARGUMENT;
     memset(s, 0, sizeof *s);
     s->phase = FAILED;
@@ -351,8 +314,7 @@ nook_status nook_survey_begin(nook_survey_state *s, const nook_view *view, nook_
     return NOOK_OK;
 }
 
-uint32_t nook_shell_genus(const nook_shell *shell)
-{
+uint32_t nook_shell_genus(const nook_shell *shell) {
     /* fans - edges + triangles = 2 - 2g - loops, with 2 edges = 3 triangles + border edges */
     int64_t four_g = 4 + (int64_t)shell->triangles + shell->border_edges;
     four_g -= 2 * ((int64_t)shell->border_loops + shell->fans);

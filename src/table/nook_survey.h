@@ -25,8 +25,7 @@ typedef struct nook_survey {
     nook_truth orientable;         /* NOOK_MAYBE with non-manifold edges */
 } nook_survey;
 
-static inline void nook_survey_unknown(nook_survey *survey)
-{
+static inline void nook_survey_unknown(nook_survey *survey) {
     survey->components = survey->fans = survey->nonmanifold_vertices = survey->border_loops = NOOK_UNKNOWN;
     survey->orientable = NOOK_MAYBE;
 }
@@ -59,8 +58,7 @@ typedef struct nook_shells {
 } nook_shells;
 
 /* The shell of triangle t, or null if it is not described. */
-static inline nook_shell *nook_shell_of(const nook_shells *shells, uint32_t t)
-{
+static inline nook_shell *nook_shell_of(const nook_shells *shells, uint32_t t) {
     return shells != NULL && shells->component[t] < shells->count ? &shells->shell[shells->component[t]]
                                                                   : NULL;
 }

@@ -11,13 +11,9 @@
 enum phase { POINTS, CORNERS, RENUMBER, RELABEL, FINISHED, FAILED, SORT, RUNS };
 
 /* Any total order will do as long as -0 equals +0: the bits as an integer. */
-static uint32_t key(float x)
-{
-    return nook_float_bits(x == 0 ? 0.0f : x);
-}
+static uint32_t key(float x) { return nook_float_bits(x == 0 ? 0.0f : x); }
 
-static int32_t compare(const nook_point *a, const nook_point *b)
-{
+static int32_t compare(const nook_point *a, const nook_point *b) {
     uint32_t p = key(a->x), q = key(b->x);
     if (p == q) {
         p = key(a->y);
@@ -30,14 +26,12 @@ static int32_t compare(const nook_point *a, const nook_point *b)
     return p < q ? -1 : p > q;
 }
 
-static bool point_before(const void *points, uint32_t y, uint32_t x)
-{
+static bool point_before(const void *points, uint32_t y, uint32_t x) {
     const nook_point *G = points;
     return compare(&G[y], &G[x]) < 0;
 }
 
-static nook_status fail(nook_weld_state *s, nook_status status, nook_kind kind, uint32_t index)
-{
+static nook_status fail(nook_weld_state *s, nook_status status, nook_kind kind, uint32_t index) {
     s->where = nook_at(kind, index);
     s->phase = FAILED;
     s->kept = (uint32_t)status;
@@ -45,20 +39,17 @@ static nook_status fail(nook_weld_state *s, nook_status status, nook_kind kind, 
 }
 
 /* The list to sort links each vertex to the next. */
-static nook_status look_at_point(nook_weld_state *s, uint32_t v)
-{
+static nook_status look_at_point(nook_weld_state *s, uint32_t v) {
     nook_status status = nook_point_status(s->mesh->G[v]);
     s->order[v] = nook_store(v + 1u < s->mesh->nv ? v + 1u : v);
     return status == NOOK_OK ? NOOK_OK : fail(s, status, NOOK_AT_VERTEX, v);
 }
 
-static nook_status look_at_corner(nook_weld_state *s, uint32_t c)
-{
+static nook_status look_at_corner(nook_weld_state *s, uint32_t c) {
     return s->mesh->V[c] < s->mesh->nv ? NOOK_OK : fail(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_CORNER, c);
 }
 
-static void sort(nook_weld_state *s)
-{
+static void sort(nook_weld_state *s) {
     if (!nook_sort_step(&s->sort, s->order, s->mesh->G, point_before)) return;
     s->at = s->sort.head;
     s->kept = NOOK_NONE;
@@ -67,8 +58,7 @@ static void sort(nook_weld_state *s)
 
 /* Along the sorted list: map each vertex to the first of its run, s->kept. Merging is stable, so
  * that one has the smallest number. */
-static void follow_runs(nook_weld_state *s)
-{
+static void follow_runs(nook_weld_state *s) {
     uint32_t v = s->at;
     if (s->kept == NOOK_NONE || compare(&s->mesh->G[s->kept], &s->mesh->G[v]) != 0) s->kept = v;
     s->map[v] = nook_store(s->kept);
@@ -80,8 +70,7 @@ static void follow_runs(nook_weld_state *s)
 
 /* In ascending order: a kept vertex moves down to the next free place, and any other already finds
  * the new number of the one that replaces it. */
-static void renumber(nook_weld_state *s, uint32_t v)
-{
+static void renumber(nook_weld_state *s, uint32_t v) {
     if (s->map[v] == v) {
         s->mesh->G[s->kept] = s->mesh->G[v];
         s->map[v] = nook_store(s->kept++);
@@ -90,8 +79,7 @@ static void renumber(nook_weld_state *s, uint32_t v)
     }
 }
 
-static uint32_t length(const nook_weld_state *s)
-{
+static uint32_t length(const nook_weld_state *s) {
     switch (s->phase) {
     case POINTS:
     case RENUMBER: return s->mesh->nv;
@@ -101,8 +89,7 @@ static uint32_t length(const nook_weld_state *s)
     }
 }
 
-static void next_pass(nook_weld_state *s)
-{
+static void next_pass(nook_weld_state *s) {
     s->at = 0;
     s->phase++;
     if (s->phase == RENUMBER && s->mesh->nv != 0) {
@@ -112,8 +99,7 @@ static void next_pass(nook_weld_state *s)
     if (s->phase == FINISHED) s->mesh->nv = s->kept;
 }
 
-static nook_status work(nook_weld_state *s)
-{
+static nook_status work(nook_weld_state *s) {
     switch (s->phase) {
     case POINTS: return look_at_point(s, s->at++);
     case CORNERS: return look_at_corner(s, s->at++);
@@ -127,8 +113,7 @@ static nook_status work(nook_weld_state *s)
     }
 }
 
-nook_status nook_weld_step(nook_weld_state *s, uint32_t *units)
-{
+nook_status nook_weld_step(nook_weld_state *s, uint32_t *units) {
     while (s->phase != FINISHED) {
         if (s->phase == FAILED) return (nook_status)s->kept;
         if (s->at == length(s)) {
@@ -143,8 +128,7 @@ nook_status nook_weld_step(nook_weld_state *s, uint32_t *units)
     return NOOK_OK;
 }
 
-nook_status nook_weld_begin(nook_weld_state *s, nook_mesh *mesh, nook_index *map, nook_index *order)
-{
+nook_status nook_weld_begin(nook_weld_state *s, nook_mesh *mesh, nook_index *map, nook_index *order) {
     if (s == NULL || mesh == NULL) return NOOK_NULL_ARGUMENT;
     memset(s, 0, sizeof *s);
     fail(s, NOOK_NULL_ARGUMENT, NOOK_NOWHERE, 0);
@@ -157,8 +141,7 @@ nook_status nook_weld_begin(nook_weld_state *s, nook_mesh *mesh, nook_index *map
     return NOOK_OK;
 }
 
-nook_status nook_weld(nook_mesh *mesh, nook_index *map, nook_index *order, nook_where *where)
-{
+nook_status nook_weld(nook_mesh *mesh, nook_index *map, nook_index *order, nook_where *where) {
     nook_weld_state state;
     uint32_t units;
     nook_status status = nook_weld_begin(&state, mesh, map, order);
@@ -172,8 +155,7 @@ nook_status nook_weld(nook_mesh *mesh, nook_index *map, nook_index *order, nook_
     return status;
 }
 
-uint32_t nook_drop_degenerate(nook_mesh *mesh)
-{
+uint32_t nook_drop_degenerate(nook_mesh *mesh) {
     nook_index *V = mesh->V;
     uint32_t t, kept = 0, dropped;
     for (t = 0; t < mesh->nt; t++) {

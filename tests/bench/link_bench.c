@@ -15,8 +15,7 @@ static nook_point G[MOST_V];
 static nook_index V[3 * MOST], O[3 * MOST], C[MOST_V], kept[3 * MOST];
 static uint32_t nv, nt;
 
-static uint32_t random_below(uint32_t n)
-{
+static uint32_t random_below(uint32_t n) {
     static uint64_t state = 88172645463325252u;
     state ^= state << 13;
     state ^= state >> 7;
@@ -24,14 +23,10 @@ static uint32_t random_below(uint32_t n)
     return (uint32_t)(state >> 33) % n;
 }
 
-static void corner(uint32_t c, uint32_t v)
-{
-    V[c] = nook_store(v);
-}
+static void corner(uint32_t c, uint32_t v) { V[c] = nook_store(v); }
 
 /* Midpoint of an edge: found again by a table of pairs, made once for the coarser mesh. */
-static uint32_t midpoint(uint32_t a, uint32_t b, uint32_t (*seen)[3], uint32_t *count)
-{
+static uint32_t midpoint(uint32_t a, uint32_t b, uint32_t (*seen)[3], uint32_t *count) {
     uint32_t low = a < b ? a : b, high = a < b ? b : a, i = (low * 7919u + high) % 65536u;
     while (seen[i][2] != 0 && (seen[i][0] != low || seen[i][1] != high)) i = (i + 1u) % 65536u;
     if (seen[i][2] == 0) {
@@ -45,8 +40,7 @@ static uint32_t midpoint(uint32_t a, uint32_t b, uint32_t (*seen)[3], uint32_t *
     return seen[i][2] - 1u;
 }
 
-static void icosphere(void)
-{
+static void icosphere(void) {
     static const float X = 0.525731112f, Z = 0.850650808f;
     static const uint8_t faces[60] = {0,  4, 1, 0, 9, 4, 9, 5,  4, 4, 5,  8,  4,  8, 1, 8,  10, 1,  8, 3,
                                       10, 5, 3, 8, 5, 2, 3, 2,  7, 3, 7,  10, 3,  7, 6, 10, 7,  11, 6, 11,
@@ -73,8 +67,7 @@ static void icosphere(void)
     }
 }
 
-static void shuffle(void)
-{
+static void shuffle(void) {
     static uint32_t name[MOST_V];
     uint32_t i, j, k;
     for (i = 0; i < nv; i++) name[i] = i;
@@ -94,8 +87,7 @@ static void shuffle(void)
     }
 }
 
-static void hub(void)
-{
+static void hub(void) {
     nt = MOST;
     nv = nt + 1;
     for (uint32_t t = 0; t < nt; t++) {
@@ -105,16 +97,14 @@ static void hub(void)
     }
 }
 
-static void write_obj(void)
-{
+static void write_obj(void) {
     for (uint32_t v = 0; v < nv; v++)
         printf("v %.9g %.9g %.9g\n", (double)G[v].x, (double)G[v].y, (double)G[v].z);
     for (uint32_t t = 0; t < nt; t++)
         printf("f %u %u %u\n", V[3 * t] + 1u, V[3 * t + 1] + 1u, V[3 * t + 2] + 1u);
 }
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
     nook_mesh mesh;
     nook_report report;
     struct timespec begin, end;

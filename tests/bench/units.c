@@ -16,8 +16,7 @@ static nook_mesh mesh;
 
 /* A torus of SIDE x SIDE cells of two triangles, shuffled: 577 and T have no common factor. With
  * defects: some triangles turned over, and a fan of MORE triangles about the vertex of cell 0. */
-static void soup(bool defects)
-{
+static void soup(bool defects) {
     static const uint8_t step[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 1}}};
     uint32_t k, i;
     nook_mesh_init(&mesh, arrays.G, arrays.V, arrays.O, arrays.C, MAX_V, MAX_T);
@@ -39,16 +38,14 @@ static void soup(bool defects)
     }
 }
 
-static void print_most(const char *what, uint32_t most)
-{
+static void print_most(const char *what, uint32_t most) {
     print_text(what);
     print_number(most * 40u / 64u);
     print_text(" instructions\n");
 }
 
 /* Ticks for reading the counter twice, to be taken off. */
-static uint32_t overhead(void)
-{
+static uint32_t overhead(void) {
     uint32_t a = nook_port_ticks(), b = nook_port_ticks();
     return (b - a) & 0xFFFFFFu;
 }
@@ -61,8 +58,7 @@ static uint32_t overhead(void)
         if (spent > (most)) (most) = spent;                                                                  \
     } while (status == NOOK_MORE)
 
-static void measure(const char *name, bool defects)
-{
+static void measure(const char *name, bool defects) {
     nook_marks marks = {Mt, Mv, MAX_T, MAX_V};
     nook_shells shells = {shell, component, stamp, MAX_T, 0};
     nook_weld_state weld;
@@ -88,8 +84,7 @@ static void measure(const char *name, bool defects)
     print_most("  check, one unit: ", c);
 }
 
-int main(void)
-{
+int main(void) {
     measure("torus", false);
     measure("torus with defects", true);
     return 0;
