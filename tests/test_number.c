@@ -15,28 +15,21 @@
 static char text[LONGEST + 1u];
 static size_t length;
 
-static void start_text(void)
-{
-    length = 0;
-}
+static void start_text(void) { length = 0; }
 
-static void add_byte(char byte)
-{
+static void add_byte(char byte) {
     if (length < LONGEST) text[length++] = byte;
 }
 
-static void add_text(const char *more)
-{
+static void add_text(const char *more) {
     while (*more != '\0') add_byte(*more++);
 }
 
-static void add_many(char byte, uint32_t count)
-{
+static void add_many(char byte, uint32_t count) {
     while (count-- > 0) add_byte(byte);
 }
 
-static void add_integer(int32_t number)
-{
+static void add_integer(int32_t number) {
     char digits[10];
     uint32_t i = 0, rest = number < 0 ? 0u - (uint32_t)number : (uint32_t)number;
     if (number < 0) add_byte('-');
@@ -48,8 +41,7 @@ static void add_integer(int32_t number)
 }
 
 /* Parse text[length], as a whole and byte by byte; both must agree. */
-static nook_status parse(uint32_t *bits)
-{
+static nook_status parse(uint32_t *bits) {
     nook_number number;
     float whole = 7.0f, pieces = 7.0f;
     size_t i;
@@ -64,8 +56,7 @@ static nook_status parse(uint32_t *bits)
 }
 
 /* Whether text[length] is read as the float of these bits; infinity means that it is refused. */
-static void expect_bits(uint32_t bits)
-{
+static void expect_bits(uint32_t bits) {
     uint32_t got;
     nook_status status = parse(&got);
     bool good;
@@ -88,7 +79,7 @@ typedef struct number_case {
 } number_case;
 
 #define HALF_LEAST_DENORMAL                                                                                  \
-    "7.00649232162408535461864791644958065640130970938257885878534141944895541342930300743319094181060791"     \
+    "7.00649232162408535461864791644958065640130970938257885878534141944895541342930300743319094181060791"   \
     "015625"
 #define NO_FLOAT 0x7F800000u
 
@@ -192,8 +183,7 @@ static const number_case good_numbers[] = {
     {"1e-18446744073709551616", 0},
 };
 
-static void numbers_worked_out_by_hand_are_read_to_the_bit(void)
-{
+static void numbers_worked_out_by_hand_are_read_to_the_bit(void) {
     size_t i;
     for (i = 0; i < sizeof good_numbers / sizeof *good_numbers; i++) {
         start_text();
@@ -203,14 +193,13 @@ static void numbers_worked_out_by_hand_are_read_to_the_bit(void)
 }
 
 static const char *const bad_numbers[] = {
-    "",      "-",     "+",     ".",     "-.",  "+.",  "e",    "e5",   ".e5",   "-e5",    "1e",    "1e+",
-    "1e-",   "1.e",   "1.2.3", "1..2",  "..5", "--1", "+-1",  "-+1",  "1e5.0", "1e5e5",  "1e--5", "1e+-5",
-    "1e5+",  "1-",    "1+1",   "3.1+e2", "nan", "NaN", "-nan", "inf",  "Inf",   "infinity", "0x10", "1x",
-    "1,5",   "1 ",    " 1",    "1\t",   "\n1", "1f",  "1d5",  "1_000", "\x80",  "1\xFF",  "1e5 ",  "e",
+    "",     "-",   "+",     ".",      "-.",  "+.",  "e",    "e5",    ".e5",   "-e5",      "1e",    "1e+",
+    "1e-",  "1.e", "1.2.3", "1..2",   "..5", "--1", "+-1",  "-+1",   "1e5.0", "1e5e5",    "1e--5", "1e+-5",
+    "1e5+", "1-",  "1+1",   "3.1+e2", "nan", "NaN", "-nan", "inf",   "Inf",   "infinity", "0x10",  "1x",
+    "1,5",  "1 ",  " 1",    "1\t",    "\n1", "1f",  "1d5",  "1_000", "\x80",  "1\xFF",    "1e5 ",  "e",
 };
 
-static void text_that_is_no_number_is_refused(void)
-{
+static void text_that_is_no_number_is_refused(void) {
     size_t i;
     uint32_t bits;
     for (i = 0; i < sizeof bad_numbers / sizeof *bad_numbers; i++) {
@@ -228,14 +217,10 @@ static void text_that_is_no_number_is_refused(void)
     CHECK_EQUAL(parse(&bits), NOOK_BAD_NUMBER);
 }
 
-static bool is_digit(char byte)
-{
-    return byte >= '0' && byte <= '9';
-}
+static bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
 
 /* The grammar of a number: whether s[n] is one, and whether one begins with s[n]. */
-static void match_number(const char *s, size_t n, bool *whole, bool *begins)
-{
+static void match_number(const char *s, size_t n, bool *whole, bool *begins) {
     size_t i = 0, before = 0, after = 0, power = 0;
     *whole = *begins = false;
     if (i < n && (s[i] == '+' || s[i] == '-')) i++;
@@ -256,8 +241,7 @@ static void match_number(const char *s, size_t n, bool *whole, bool *begins)
     *whole = i == n && power > 0;
 }
 
-static void every_short_string_is_judged_as_the_grammar_says(void)
-{
+static void every_short_string_is_judged_as_the_grammar_says(void) {
     static const char letters[] = "+-.07eEx";
     uint32_t size, code, rest;
     for (size = 0; size <= 5u; size++) {
@@ -278,8 +262,7 @@ static void every_short_string_is_judged_as_the_grammar_says(void)
     }
 }
 
-static void a_number_can_be_valued_after_every_byte(void)
-{
+static void a_number_can_be_valued_after_every_byte(void) {
     static const char letters[] = "-0120.0345e-0012";
     nook_number number;
     size_t i;
@@ -292,8 +275,7 @@ static void a_number_can_be_valued_after_every_byte(void)
     }
 }
 
-static void thousands_of_zeros_change_nothing(void)
-{
+static void thousands_of_zeros_change_nothing(void) {
     start_text();
     add_many('0', 5000);
     add_text("1.5");
@@ -344,8 +326,7 @@ static void thousands_of_zeros_change_nothing(void)
     expect_bits(0x3DCCCCCDu);
 }
 
-static void thousands_of_digits_are_read_to_the_last(void)
-{
+static void thousands_of_digits_are_read_to_the_last(void) {
     start_text();
     add_text("0.");
     add_many('3', 5000);
@@ -416,8 +397,7 @@ typedef struct decimal {
 #define LIMBS 15u
 #define BASE 1000000000u
 
-static void multiply(uint32_t limb[LIMBS], uint32_t factor)
-{
+static void multiply(uint32_t limb[LIMBS], uint32_t factor) {
     uint64_t carry = 0;
     uint32_t i;
     for (i = 0; i < LIMBS; i++) {
@@ -428,8 +408,7 @@ static void multiply(uint32_t limb[LIMBS], uint32_t factor)
 }
 
 /* The decimal of m * 2^e, exactly, less `less` units of its last place (before trailing zeros go). */
-static void expand(decimal *out, uint32_t m, int32_t e, uint32_t less)
-{
+static void expand(decimal *out, uint32_t m, int32_t e, uint32_t less) {
     uint32_t limb[LIMBS] = {0}, i, k, start;
     char all[LIMBS * 9u];
     int32_t scale = e < 0 ? e : 0;
@@ -453,8 +432,7 @@ static void expand(decimal *out, uint32_t m, int32_t e, uint32_t less)
 }
 
 /* |float of bits| as m * 2^e; half: the midpoint to the next one. */
-static void expand_float(decimal *out, uint32_t bits, bool half, uint32_t less)
-{
+static void expand_float(decimal *out, uint32_t bits, bool half, uint32_t less) {
     uint32_t exponent = bits >> 23 & 0xFFu, m = bits & 0x7FFFFFu;
     int32_t e = exponent == 0 ? -149 : (int32_t)exponent - 150;
     if (exponent != 0) m |= 0x800000u;
@@ -466,8 +444,7 @@ static void expand_float(decimal *out, uint32_t bits, bool half, uint32_t less)
 }
 
 /* Order of two decimals: below, equal or above as negative, 0, positive. */
-static int compare(const decimal *a, const decimal *b)
-{
+static int compare(const decimal *a, const decimal *b) {
     uint32_t i;
     if (a->n == 0 || b->n == 0) return (a->n != 0) - (b->n != 0);
     if (a->point != b->point) return a->point < b->point ? -1 : 1;
@@ -480,8 +457,7 @@ static int compare(const decimal *a, const decimal *b)
 
 /* Write a decimal with `shift` digits before its point (negative: zeros after it) and the exponent
  * that makes up for it; without an exponent if that is zero. more: further digits at the end. */
-static void write_decimal(const decimal *value, int32_t shift, uint32_t zeros, const char *more)
-{
+static void write_decimal(const decimal *value, int32_t shift, uint32_t zeros, const char *more) {
     int32_t i, n = (int32_t)value->n;
     add_many('0', zeros);
     for (i = shift < 0 ? shift : 0; i < n || i < shift; i++) {
@@ -497,8 +473,7 @@ static void write_decimal(const decimal *value, int32_t shift, uint32_t zeros, c
 }
 
 /* The same value in several spellings, each with its own sign. */
-static void expect_decimal(const decimal *value, const char *more, uint32_t bits, dice *d)
-{
+static void expect_decimal(const decimal *value, const char *more, uint32_t bits, dice *d) {
     int32_t plain = value->point;
     start_text();
     write_decimal(value, plain, 1, more);
@@ -513,8 +488,7 @@ static void expect_decimal(const decimal *value, const char *more, uint32_t bits
     expect_bits(bits);
 }
 
-static uint32_t finite_bits(dice *d)
-{
+static uint32_t finite_bits(dice *d) {
     uint32_t bits = throw_dice(d, 0xFFFFFFFFu) >> 1;
     switch (throw_dice(d, 8)) {
     case 0: bits &= 0x007FFFFFu; break;              /* denormal */
@@ -527,8 +501,7 @@ static uint32_t finite_bits(dice *d)
     return bits >= 0x7F800000u ? bits & 0x7F7FFFFFu : bits;
 }
 
-static void an_exact_expansion_comes_back_as_its_float(void)
-{
+static void an_exact_expansion_comes_back_as_its_float(void) {
     dice d = {20240517u};
     uint32_t i;
     for (i = 0; i < 1000u && !test_has_failed(); i++) {
@@ -540,8 +513,7 @@ static void an_exact_expansion_comes_back_as_its_float(void)
     }
 }
 
-static void an_exact_midpoint_goes_to_the_even_neighbour(void)
-{
+static void an_exact_midpoint_goes_to_the_even_neighbour(void) {
     dice d = {77777u};
     uint32_t i;
     for (i = 0; i < 1000u && !test_has_failed(); i++) {
@@ -552,8 +524,7 @@ static void an_exact_midpoint_goes_to_the_even_neighbour(void)
     }
 }
 
-static void a_midpoint_with_one_more_digit_goes_up(void)
-{
+static void a_midpoint_with_one_more_digit_goes_up(void) {
     dice d = {4242u};
     uint32_t i;
     for (i = 0; i < 700u && !test_has_failed(); i++) {
@@ -564,8 +535,7 @@ static void a_midpoint_with_one_more_digit_goes_up(void)
     }
 }
 
-static void just_below_a_midpoint_goes_down(void)
-{
+static void just_below_a_midpoint_goes_down(void) {
     dice d = {990u};
     uint32_t i;
     for (i = 0; i < 700u && !test_has_failed(); i++) {
@@ -577,8 +547,7 @@ static void just_below_a_midpoint_goes_down(void)
     }
 }
 
-static void nine_digits_are_enough_to_name_a_float(void)
-{
+static void nine_digits_are_enough_to_name_a_float(void) {
     dice d = {8080u};
     uint32_t i, k;
     for (i = 0; i < 1500u && !test_has_failed(); i++) {
@@ -606,8 +575,7 @@ static void nine_digits_are_enough_to_name_a_float(void)
 }
 
 /* Decimals as people write them: the float must be one that no other float is nearer to. */
-static void short_decimals_lie_between_the_midpoints_about_their_float(void)
-{
+static void short_decimals_lie_between_the_midpoints_about_their_float(void) {
     dice d = {31337u};
     uint32_t i, bits;
     for (i = 0; i < 3000u && !test_has_failed(); i++) {
@@ -637,10 +605,7 @@ static void short_decimals_lie_between_the_midpoints_about_their_float(void)
     }
 }
 
-static void a_number_being_read_stays_small(void)
-{
-    CHECK(sizeof(nook_number) <= 68u);
-}
+static void a_number_being_read_stays_small(void) { CHECK(sizeof(nook_number) <= 68u); }
 
 static const test tests[] = {
     TEST(numbers_worked_out_by_hand_are_read_to_the_bit),
@@ -658,7 +623,4 @@ static const test tests[] = {
     TEST(a_number_being_read_stays_small),
 };
 
-void test_number(void)
-{
-    run_tests(tests, sizeof tests / sizeof *tests);
-}
+void test_number(void) { run_tests(tests, sizeof tests / sizeof *tests); }

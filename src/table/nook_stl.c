@@ -208,7 +208,7 @@ static nook_status decide(nook_stl *stl) {
     if (stl->size != needed && looks_like_text(stl)) return begin_text(stl);
     stl->step = RECORD;
     stl->filled = 0;
-    if (stl->size >= needed) return NOOK_OK; /* also when it is unknown */
+    if (stl->size == NOOK_UNKNOWN || stl->size >= needed) return NOOK_OK;
     stl->offset = stl->size;
     return fail(stl, NOOK_TRUNCATED);
 }

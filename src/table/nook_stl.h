@@ -50,7 +50,8 @@ void nook_stl_begin(nook_stl *stl, uint32_t size);
  *   NOOK_MORE                 all bytes are used
  *   NOOK_BAD_NUMBER           a coordinate is not a number. stl->where: the line
  *   NOOK_BAD_SYNTAX           another word was expected. stl->where: the line
- *   NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE  a coordinate. stl->where: byte or line
+ *   NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE  a coordinate; a word that begins like "nan" or
+ *                             "inf" is called not finite. stl->where: byte or line
  *   NOOK_TRUNCATED            size is known and too small for the triangles announced
  *   NOOK_UNKNOWN_FORMAT       neither of the two formats
  * After an error every further call returns the same one. Steps: O(bytes); the number parser's
