@@ -497,6 +497,20 @@ static void a_tiny_cube_keeps_its_area_and_the_sign_of_its_volume(void) {
     CHECK(close_to(b.result.area, 6e-30f, 1e-6f));
 }
 
+static void a_cube_too_small_for_its_volume_still_shows_that_it_is_inside_out(void) {
+    uint32_t t, k;
+    for (k = 0; k < 2; k++) {
+        move_cube(1e-20f, 0, 0, 0);
+        for (t = 0; t < b.mesh.nt && k == 1; t++) {
+            nook_index keep = b.mesh.V[3 * t];
+            b.mesh.V[3 * t] = b.mesh.V[3 * t + 1];
+            b.mesh.V[3 * t + 1] = keep;
+        }
+        CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+        CHECK_EQUAL(b.result.inside_out, k);
+    }
+}
+
 static void an_octahedron_has_the_area_and_volume_of_the_formula(void) {
     octahedron();
     CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
@@ -579,6 +593,7 @@ static const test tests[] = {
     TEST(derived_properties_follow_the_oracle_on_all_surfaces),
     TEST(a_cube_has_six_sides_and_one_volume_wherever_it_stands),
     TEST(a_tiny_cube_keeps_its_area_and_the_sign_of_its_volume),
+    TEST(a_cube_too_small_for_its_volume_still_shows_that_it_is_inside_out),
     TEST(an_octahedron_has_the_area_and_volume_of_the_formula),
     TEST(a_fine_sphere_comes_close_to_a_ball),
     TEST(shells_have_volumes_of_their_own_and_keep_them_when_checked_again),

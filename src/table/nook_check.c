@@ -174,20 +174,21 @@ static void measure_triangle(nook_check_state *s, uint32_t t) {
     if (shell != NULL) nook_add(&shell->volume, volume);
 }
 
-static float unscaled_volume(const nook_check_state *s, const nook_sum *sum) {
+static float unscaled_volume(const nook_check_state *s, float volume) {
     float back = s->in.measure.back;
-    return nook_sum_value(sum) * back * back * back;
+    return volume * back * back * back;
 }
 
+/* The sign is taken before scaling back, where a tiny volume may round to zero. */
 static void end_measure(nook_check_state *s) {
     nook_check_result *r = s->result;
-    float back = s->in.measure.back;
+    float back = s->in.measure.back, volume = nook_sum_value(&s->in.measure.volume);
     r->geometry_known = true;
     r->area = nook_sum_value(&s->in.measure.area) * back * back;
-    r->signed_volume = unscaled_volume(s, &s->in.measure.volume);
+    r->signed_volume = unscaled_volume(s, volume);
     if (r->watertight != NOOK_YES || r->oriented != NOOK_YES) return;
-    r->inside_out = truth(r->signed_volume < 0);
-    if (s->shells == NULL && r->signed_volume < 0) nook_tell(s->finder, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, 0);
+    r->inside_out = truth(volume < 0);
+    if (s->shells == NULL && volume < 0) nook_tell(s->finder, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, 0);
 }
 
 static void zero_shell(nook_check_state *s, uint32_t k) {
@@ -197,9 +198,9 @@ static void zero_shell(nook_check_state *s, uint32_t k) {
 static void finish_shell(nook_check_state *s, uint32_t k) {
     nook_shell *shell = &s->shells->shell[k];
     bool closed = !shell->has_nonmanifold_edge && shell->border_edges == 0 && shell->incoherent_edges == 0;
-    shell->signed_volume = closed ? unscaled_volume(s, &shell->volume) : 0;
-    if (shell->signed_volume < 0)
-        nook_tell(s->finder, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, shell->first_triangle);
+    float volume = closed ? nook_sum_value(&shell->volume) : 0;
+    shell->signed_volume = unscaled_volume(s, volume);
+    if (volume < 0) nook_tell(s->finder, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, shell->first_triangle);
 }
 
 /* ---- passes ----------------------------------------------------------------------------------- */

@@ -69,8 +69,9 @@ typedef struct nook_check_state {
  * A defect is not an error of the call: step returns NOOK_OK when the check is finished, and
  * nook_is_sound() gives the verdict. Every table may hold any bits: no access leaves the arrays and
  * the bound on steps holds.
- * Steps: 8 nt + 2 nv visits plus the survey's; one unit is one visit, at most 450 instructions on
- * M4F (a triangle's area, a correctly rounded root and two compensated sums). */
+ * Steps: 9 nt + 5 nv visits and the survey: less than 34 nt + 8 nv + 20 units, about 23 nt + 5 nv on a
+ * closed mesh. One unit is at most 450 instructions on M4F (a triangle's area, a correctly rounded root
+ * and compensated sums). */
 nook_status nook_check_begin(nook_check_state *state, const nook_view *view, const nook_marks *marks,
                              const nook_report *report, nook_shells *shells, const nook_finder *finder,
                              nook_check_result *result);

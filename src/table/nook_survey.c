@@ -13,7 +13,7 @@
  *
  * Fans and loops cross an edge between two triangles whatever their directions: entering by corner
  * y, the walk about v leaves by the corner that is neither y nor at v. Fans mark each corner once,
- * loops turn once through each fan of the border: at most 3T hops each. */
+ * loops turn once through each fan of the border. */
 #include "table/nook_survey.h"
 
 #include <string.h>
@@ -21,9 +21,16 @@
 enum phase { CLEAR, ROOTS, CLEAR_FOR_FANS, FANS, CLEAR_FOR_LOOPS, LOOPS, FINISHED, FAILED };
 enum inner { LOOK = FAILED + 1, BACK, FAN, LOOP }; /* inside ROOTS, FANS and LOOPS */
 
+/* O[c], or c itself where the table names no corner: then nothing is mutual, and nothing is read
+ * outside the tables whatever O holds. */
+static inline uint32_t opposite(const nook_survey_state *s, uint32_t c) {
+    uint32_t o = s->view.O[c];
+    return o < 3u * s->view.nt ? o : c;
+}
+
 /* The corner across the edge that c faces if exactly two triangles share it, else c. */
 static inline uint32_t across(const nook_survey_state *s, uint32_t c) {
-    uint32_t o = s->view.O[c];
+    uint32_t o = opposite(s, c);
     return s->view.O[o] == c ? o : c;
 }
 
@@ -65,9 +72,10 @@ static void enter(nook_survey_state *s, uint32_t e, bool against) {
     shell = shell_at(s, e);
     if (shell != NULL) shell->triangles++;
     for (i = 0; i < 3u; i++) {
-        nook_index *stamp = &s->shells->stamp[s->view.V[3u * t + i]];
-        if (shell != NULL) shell->vertices += *stamp != k;
-        *stamp = k;
+        uint32_t v = s->view.V[3u * t + i];
+        if (v >= s->view.nv || s->shells->stamp[v] == k) continue;
+        s->shells->stamp[v] = k;
+        if (shell != NULL) shell->vertices++;
     }
 }
 
@@ -107,39 +115,39 @@ static void look_at_pair(nook_survey_state *s, uint32_t o) {
         enter(s, o, against);
         return;
     }
-    if (runs_against(s, o) != against && s->rings == NULL) {
-        if (!s->odd) nook_tell(s->finder, NOOK_NOT_ORIENTABLE, NOOK_AT_CORNER, s->c);
-        s->odd = true;
+    if (runs_against(s, o) != against) {
         if (shell != NULL) shell->orientable = false;
-        s->result->orientable = NOOK_NO;
+        if (!s->odd && s->rings == NULL) nook_tell(s->finder, NOOK_NOT_ORIENTABLE, NOOK_AT_CORNER, s->c);
+        s->odd = true;
+        if (s->rings == NULL) s->result->orientable = NOOK_NO;
     }
     next_corner(s);
 }
 
 /* Look across c at y, the next on the ring of an edge with more than two triangles. */
-static void look_at_ring(nook_survey_state *s, uint32_t y) {
+static bool look_at_ring(nook_survey_state *s, uint32_t y) {
     nook_index *O = s->rings;
     uint32_t x = s->c, next = O[y];
     nook_shell *shell = shell_at(s, x);
+    if (next >= 3u * s->view.nt) return false;
     if (shell != NULL) shell->has_nonmanifold_edge = true;
     O[x] = nook_store(next == y ? x : next);
     if (O[next] == x) O[next] = nook_store(next);
     O[y] = nook_store(entered(s, y) ? y : s->c);
     if (!entered(s, y)) enter(s, y, false);
+    return true;
 }
 
 static bool look(nook_survey_state *s) {
     uint32_t o = s->view.O[s->c];
     nook_shell *shell = shell_at(s, s->c);
-    if (o == s->c) {
+    if (o >= 3u * s->view.nt) return false;
+    if (o != s->c && s->view.O[o] != s->c) return s->rings != NULL && look_at_ring(s, o);
+    if (o != s->c) {
+        look_at_pair(s, o);
+    } else {
         if (shell != NULL) shell->border_edges++;
         next_corner(s);
-    } else if (s->view.O[o] == s->c) {
-        look_at_pair(s, o);
-    } else if (s->rings != NULL) {
-        look_at_ring(s, o);
-    } else {
-        return false;
     }
     return true;
 }
@@ -147,9 +155,10 @@ static bool look(nook_survey_state *s) {
 /* The triangle entered by s->entry is done: back across that edge. A ring may have more. */
 static bool back(nook_survey_state *s) {
     uint32_t e = s->entry, t, k;
-    s->c = s->view.O[e];
+    s->c = opposite(s, e);
     t = nook_triangle(s->c);
     k = nook_code(s->marks.Mt, t);
+    if (k == 0 || k == 7u) return false;
     s->entry = 3u * t + (k > 3u ? k - 4u : k - 1u);
     s->phase = LOOK;
     if (s->view.O[s->c] == e) next_corner(s);
@@ -158,18 +167,20 @@ static bool back(nook_survey_state *s) {
 
 /* ---- fans ------------------------------------------------------------------------------------- */
 
-static void find_fan(nook_survey_state *s, uint32_t c) {
+static bool find_fan(nook_survey_state *s, uint32_t c) {
     nook_shell *shell = shell_at(s, c);
-    if (nook_bit(s->marks.Mt, c)) return;
+    if (nook_bit(s->marks.Mt, c)) return true;
+    s->v = s->view.V[c];
+    if (s->v >= s->view.nv) return false;
     nook_set_bit(s->marks.Mt, c);
     s->result->fans++;
     if (shell != NULL) shell->fans++;
-    s->v = s->view.V[c];
     s->home = s->view.C[s->v] == c ? NOOK_NONE : s->view.C[s->v];
     s->start = c;
     s->c = nook_prev(c);
     s->other_way = false;
     s->phase = FAN;
+    return true;
 }
 
 /* The fan is complete. If it misses the corner that C names, its vertex has another fan. */
@@ -205,7 +216,7 @@ static bool turn(nook_survey_state *s) {
 
 static void find_loop(nook_survey_state *s, uint32_t c) {
     nook_shell *shell = shell_at(s, c);
-    if (s->view.O[c] != c || nook_bit(s->marks.Mt, c)) return;
+    if (across(s, c) != c || nook_bit(s->marks.Mt, c)) return;
     nook_set_bit(s->marks.Mt, c);
     s->result->border_loops++;
     if (shell != NULL) shell->border_loops++;
@@ -242,7 +253,7 @@ static uint32_t item(nook_survey_state *s, uint32_t n) {
     s->at = 0;
     s->hops = 11u * s->view.nt + 8u; /* more than a pass needs on tables that hold still */
     s->phase++;
-    if (s->phase == CLEAR_FOR_LOOPS && s->rings != NULL) s->phase = FINISHED;
+    if (s->phase == FINISHED && s->rings != NULL) s->result->border_loops = NOOK_UNKNOWN;
     return NOOK_NONE;
 }
 
@@ -265,10 +276,7 @@ static bool hop(nook_survey_state *s) {
         i = item(s, s->view.nt);
         if (i != NOOK_NONE) find_root(s, i);
         return true;
-    case FANS:
-        i = item(s, 3u * s->view.nt);
-        if (i != NOOK_NONE) find_fan(s, i);
-        return true;
+    case FANS: i = item(s, 3u * s->view.nt); return i == NOOK_NONE || find_fan(s, i);
     case LOOPS:
         i = item(s, 3u * s->view.nt);
         if (i != NOOK_NONE) find_loop(s, i);
@@ -300,7 +308,6 @@ nook_status nook_survey_begin(nook_survey_state *s, const nook_view *view, nook_
         if (shells->max_shells != 0 && shells->shell == NULL) return NOOK_NULL_ARGUMENT;
     }
     memset(result, 0, sizeof *result);
-    result->border_loops = rings != NULL ? NOOK_UNKNOWN : 0;
     result->orientable = rings != NULL ? NOOK_MAYBE : NOOK_YES;
     if (shells != NULL) shells->count = 0;
     s->view = *view;

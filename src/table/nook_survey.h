@@ -86,9 +86,10 @@ typedef struct nook_survey_state {
  * marks: for at least nt triangles and nv vertices. shells and finder may be null.
  * Found through finder: NOOK_NOT_ORIENTABLE (once a component), NOOK_NONMANIFOLD_VERTEX (once each).
  *   NOOK_NULL_ARGUMENT, NOOK_NO_CAPACITY (marks too small)
- *   NOOK_BAD_OPPOSITE from step, if O is not as above: never an endless walk
- * Steps: at most 4 nt hops of the search, 3 nt of the fans and 3 nt of the loops, and nt + nv for
- * marks; one unit is one of them, at most 150 instructions on M4F. */
+ *   NOOK_BAD_OPPOSITE from step, if O or V are not as above: never an endless walk nor a bad access
+ * Steps: 8 nt hops of the search (5 nt without rings), 9 nt of the fans, 6 nt of the loops, and the
+ * marks: less than 25 nt + 3 nv + 20 units, about 15 nt + nv on a closed mesh. One unit is at most 150
+ * instructions on M4F. */
 nook_status nook_survey_begin(nook_survey_state *state, const nook_view *view, nook_index *rings,
                               const nook_marks *marks, nook_shells *shells, const nook_finder *finder,
                               nook_survey *result);
