@@ -20,21 +20,26 @@ PROGRAM := $(sort $(wildcard host_sim/*.c))
 TESTS := $(sort $(wildcard tests/*.c))
 
 has = $(shell command -v $(1) 2>/dev/null)
-# gcc, and clang where it is: both widths.
+# gcc, and clang where it is: both widths. A C compiler and make alone must do for `run` and `test`.
 HOSTS := cc16 cc32 $(if $(call has,clang),clang16 clang32)
 BOARDS := $(notdir $(patsubst %/board.mk,%,$(wildcard boards/*/board.mk)))
 
-.PHONY: all run test test-boards test-host sanitize size stack symbols lint format format-check tools help clean bench
-all: build/nook build/nook16 ## build the program with 32- and with 16-bit indices
+.PHONY: all run test test-boards test-host readme sanitize size stack symbols lint format format-check tools help clean bench
+.DELETE_ON_ERROR:
+all: build/nook build/nook16 build/cc32/libnook.a build/cc16/libnook.a ## build program and library, 32- and 16-bit indices
 
 help: ## list these targets
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1#\2/p' Makefile | awk -F'#' '{printf "%-24s%s\n", $$1, $$2}'
 
 # ---- variants: name, compiler, index bits, flags -------------------------------------------------
 define variant
-build/$(1)/%.o: %.c
+build/$(1)/%.o: %.c Makefile
 	@mkdir -p $$(@D)
 	$(Q)$(2) $(FLAGS) -DNOOK_INDEX_BITS=$(3) $(4) -c $$< -o $$@
+build/$(1)/libnook.a: $(patsubst %.c,build/$(1)/%.o,$(LIBRARY))
+	@echo "$$@"
+	@rm -f $$@
+	$(Q)$(AR) rcs $$@ $$^
 build/$(1)/nook: $(patsubst %.c,build/$(1)/%.o,$(LIBRARY) $(PROGRAM))
 	@echo "$$@"
 	$(Q)$(2) $(4) $$^ -lm -o $$@
@@ -42,31 +47,50 @@ build/$(1)/tests.elf: $(patsubst %.c,build/$(1)/%.o,$(LIBRARY) $(TESTS) port/pos
 	@echo "$$@"
 	$(Q)$(2) $(4) $$^ -o $$@
 endef
+# Warnings are errors in `lint` only: a newer compiler than ours need not stop anybody.
 SANITIZERS := -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 $(eval $(call variant,cc16,$(CC),16,))
 $(eval $(call variant,cc32,$(CC),32,))
-$(eval $(call variant,flat16,$(CC),16,-fno-pic)) # constant tables of pointers stay constant data
+# For `symbols`: constant tables of pointers stay constant data, and no hardening that only PCs have.
+$(eval $(call variant,flat16,$(CC),16,-fno-pic -fno-stack-protector -U_FORTIFY_SOURCE))
 $(eval $(call variant,clang16,clang,16,))
 $(eval $(call variant,clang32,clang,32,))
 $(eval $(call variant,asan16,$(CC),16,$(SANITIZERS)))
 $(eval $(call variant,asan32,$(CC),32,$(SANITIZERS)))
+$(eval $(call variant,clang-asan16,clang,16,$(SANITIZERS)))
+$(eval $(call variant,clang-asan32,clang,32,$(SANITIZERS)))
 
-# A board: the same tests, its startup and its memory. The emulator ends by itself; the limit is for a hang.
-define board
-include boards/$(1)/board.mk
-build/$(1)/%.o: CPU := $$(BOARD_CPU) -DNOOK_TEST_RAM=$$(BOARD_RAM)
-build/$(1)/%.o: %.c
+# A board: the same tests, its startup and its memory, in each width it has room for. To add one, add a
+# folder with board.mk and board.ld. The emulator ends by itself; the limit is for a hang.
+BOARD_ELFS :=
+BOARD_RUNS :=
+define board_width
+build/$(1)-$(2)/%.o: CPU := $$(BOARD_CPU) -DNOOK_TEST_RAM=$$(BOARD_RAM) -DNOOK_INDEX_BITS=$(2)
+build/$(1)-$(2)/%.o: %.c Makefile
 	@mkdir -p $$(@D)
 	$(Q)$(CROSS)gcc $(FLAGS) $$(CPU) -c $$< -o $$@
-build/$(1)/tests.elf: CPU := $$(BOARD_CPU)
-build/$(1)/tests.elf: $(patsubst %.c,build/$(1)/%.o,$(LIBRARY) $(TESTS) port/semihosting/nook_port.c boards/cortex_m/startup.c)
+build/$(1)-$(2)/tests.elf: CPU := $$(BOARD_CPU)
+build/$(1)-$(2)/tests.elf: LAYOUT := boards/$(1)/board.ld
+build/$(1)-$(2)/tests.elf: $(patsubst %.c,build/$(1)-$(2)/%.o,$(LIBRARY) $(TESTS) port/semihosting/nook_port.c boards/cortex_m/startup.c) \
+		boards/$(1)/board.ld boards/cortex_m/sections.ld
 	@echo "$$@"
-	$(Q)$(CROSS)gcc $$(CPU) -nostartfiles --specs=nano.specs -Lboards/cortex_m -T boards/$(1)/board.ld -Wl,--gc-sections $$^ -o $$@
-	@! $(CROSS)nm $$@ | grep -E ' _sbrk| malloc' || { echo "the heap got into $$@"; rm -f $$@; exit 1; }
-RUN_$(1) := timeout 600 $(QEMU) -M $$(BOARD_MACHINE) -display none -monitor none -serial null -chardev stdio,id=sh \
-	-semihosting-config enable=on,target=native,chardev=sh -kernel build/$(1)/tests.elf
+	$(Q)$(CROSS)gcc $$(CPU) -nostartfiles --specs=nano.specs -Lboards/cortex_m -T $$(LAYOUT) -Wl,--gc-sections $$(filter %.o,$$^) -o $$@
+	@! $(CROSS)nm $$@ | grep -E ' _*(sbrk|malloc|free|printf)(_r)?$$$$' || { echo "the heap or stdio got into $$@"; exit 1; }
+BOARD_ELFS += build/$(1)-$(2)/tests.elf
+BOARD_RUNS += "timeout 600 $(QEMU) -M $$(BOARD_MACHINE) -display none -monitor none -serial null -chardev stdio,id=sh \
+	-semihosting-config enable=on,target=native,chardev=sh -kernel build/$(1)-$(2)/tests.elf"
+endef
+define board
+include boards/$(1)/board.mk
+$$(foreach bits,$$(BOARD_BITS),$$(eval $$(call board_width,$(1),$$(bits))))
 endef
 $(foreach b,$(BOARDS),$(eval $(call board,$(b))))
+CAN_CROSS := $(and $(call has,$(CROSS)gcc),$(call has,$(QEMU)),$(call has,timeout),\
+	$(shell $(CROSS)gcc --specs=nano.specs -include string.h -E -x c /dev/null >/dev/null 2>&1 && echo yes))
+ifeq ($(CAN_CROSS),)
+BOARD_ELFS :=
+BOARD_RUNS := "skip: the boards ($(BOARDS)): $(CROSS)gcc with newlib, $(QEMU) or timeout is missing; 'make tools' says how to get them"
+endif
 
 build/nook: build/cc32/nook
 	@cp $< $@
@@ -83,41 +107,47 @@ run: build/nook ## make a sound and a defective mesh and check both
 # ---- tests ---------------------------------------------------------------------------------------
 # Each item is a command that ends with "N passed, N failed, N skipped"; the script adds them up.
 SUM := sh tests/tools/sum.sh $(REQUIRE)
-HOST_RUNS := $(foreach v,$(HOSTS),"build/$(v)/tests.elf") $(foreach s,$(sort $(wildcard tests/host/*.sh)),"sh $(s)") \
+HOST_SCRIPTS := $(sort $(wildcard tests/host/*.sh))
+HOST_ELFS := $(foreach v,$(HOSTS),build/$(v)/tests.elf)
+HOST_RUNS := $(foreach e,$(HOST_ELFS),"$(e)") $(foreach s,$(HOST_SCRIPTS),"NOOK=build/nook sh $(s)" "NOOK=build/nook16 sh $(s)") \
 	"CC=$(CC) sh tests/tools/width_guard.sh" "CC=$(CC) sh tests/tools/readme_example.sh"
-CAN_CROSS := $(and $(call has,$(CROSS)gcc),$(call has,$(QEMU)))
-NO_CROSS := "skip: the boards ($(BOARDS)): no $(CROSS)gcc or no $(QEMU); 'make tools' says how to get them"
-BOARD_RUNS := $(if $(CAN_CROSS),$(foreach b,$(BOARDS),"$(RUN_$(b))"),$(NO_CROSS))
 NO_CLANG := $(if $(call has,clang),,"skip: clang is not installed")
-BOARD_ELFS := $(if $(CAN_CROSS),$(foreach b,$(BOARDS),build/$(b)/tests.elf))
 
-test: all $(foreach v,$(HOSTS),build/$(v)/tests.elf) $(BOARD_ELFS) ## all tests on this machine, then on the boards
+test: all $(HOST_ELFS) $(BOARD_ELFS) ## all tests on this machine, then on the boards
 	@$(SUM) $(HOST_RUNS) $(NO_CLANG) $(BOARD_RUNS)
 
-test-host: all $(foreach v,$(HOSTS),build/$(v)/tests.elf) ## the tests on this machine only
+test-host: all $(HOST_ELFS) ## the tests on this machine only
 	@$(SUM) $(HOST_RUNS) $(NO_CLANG)
 
 test-boards: $(BOARD_ELFS) ## the tests on the emulated boards only
 	@$(SUM) $(BOARD_RUNS)
 
-sanitize: build/asan16/tests.elf build/asan32/tests.elf build/asan16/nook build/asan32/nook ## tests and program under ASan and UBSan
-	@$(SUM) build/asan16/tests.elf build/asan32/tests.elf \
-		$(foreach s,$(sort $(wildcard tests/host/*.sh)),"NOOK=build/asan32/nook sh $(s)" "NOOK=build/asan16/nook sh $(s)")
+readme: build/nook ## compile and run the firmware example of README.md
+	@CC=$(CC) sh tests/tools/readme_example.sh
+
+# clang's runtime is a package of its own, so having clang is not enough; asked only when it matters.
+CLANG_CAN_SANITIZE := $(if $(filter sanitize,$(MAKECMDGOALS)),$(shell echo 'int main(void) { return 0; }' | \
+	clang -fsanitize=address,undefined -x c - -o /dev/null 2>/dev/null && echo yes))
+SANITIZED := asan16 asan32 $(if $(CLANG_CAN_SANITIZE),clang-asan16 clang-asan32)
+NO_CLANG_RUNTIME := $(if $(CLANG_CAN_SANITIZE),,"skip: clang or its sanitizer runtime is not installed")
+
+sanitize: $(foreach v,$(SANITIZED),build/$(v)/tests.elf build/$(v)/nook) ## tests and program under ASan and UBSan, gcc and clang
+	@$(SUM) $(foreach v,$(SANITIZED),"build/$(v)/tests.elf" $(foreach s,$(HOST_SCRIPTS),"NOOK=build/$(v)/nook sh $(s)")) $(NO_CLANG_RUNTIME)
 
 # ---- what the library costs and what it leans on ---------------------------------------------------
 CORES := m0 m4f
 FLAGS_m0 := -mcpu=cortex-m0 -mthumb
 FLAGS_m4f := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
 define core
-build/$(1)/%.o: %.c
+build/$(1)/%.o: %.c Makefile
 	@mkdir -p $$(@D)
-	$(Q)cd $$(@D) && $(CROSS)gcc $(FLAGS:-I%=-I$(CURDIR)/%) $(FLAGS_$(1)) -fstack-usage -fcallgraph-info=su -c $(CURDIR)/$$< -o $$(@F)
+	$(Q)$(CROSS)gcc $(FLAGS) $(FLAGS_$(1)) -fstack-usage -fcallgraph-info=su,da -c $$< -o $$@
 build/$(1)/objects: $(patsubst %.c,build/$(1)/%.o,$(LIBRARY))
 	@touch $$@
 endef
 $(foreach c,$(CORES),$(eval $(call core,$(c))))
 
-size: $(foreach c,$(CORES),build/$(c)/objects) ## code bytes on Cortex-M0 and M4F; code lines of each room
+size: $(foreach c,$(CORES),build/$(c)/objects) ## code bytes on Cortex-M0 and M4F; code lines of each room; fails past a ceiling
 	@$(foreach c,$(CORES),python3 tests/tools/size.py $(CROSS) $(c) build/$(c);) python3 tests/tools/lines.py
 
 stack: $(foreach c,$(CORES),build/$(c)/objects) ## worst-case stack of every public function; fails above 512 bytes

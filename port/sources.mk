@@ -1,3 +1,3 @@
 # The library, for any build: include this file with NOOK set to the checkout, add -I$(NOOK)/src.
 NOOK ?= .
-NOOK_SOURCES := $(sort $(wildcard $(NOOK)/src/core/*.c $(NOOK)/src/table/*.c))
+NOOK_SOURCES := $(sort $(wildcard $(NOOK)/src/*/*.c))

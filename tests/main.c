@@ -12,6 +12,9 @@ int main(void) {
     test_weld();
     test_link();
     test_check();
+    test_verdict();
+    test_worlds();
+    test_corrupt();
     status = finish_tests();
     nook_port_exit(status);
     return status;

@@ -1,4 +1,4 @@
-/* rooms.h -- the test files, each with one way in. */
+/* rooms.h -- the test files, each with one way in: one a room of the library, then three that need several. */
 #ifndef ROOMS_H
 #define ROOMS_H
 
@@ -8,5 +8,8 @@ void test_stl(void);
 void test_weld(void);
 void test_link(void);
 void test_check(void);
+void test_verdict(void);
+void test_worlds(void);
+void test_corrupt(void);
 
 #endif

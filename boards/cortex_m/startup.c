@@ -36,14 +36,19 @@ __attribute__((section(".vectors"), used)) static void (*const vectors[16])(void
     board_fault,
 };
 
+/* Words from begin to end. Both are names that the linker script gives to addresses, not parts of one
+ * array, so they are compared as numbers. */
+static uint32_t words(const uint32_t *begin, const uint32_t *end) {
+    return (uint32_t)((uintptr_t)end - (uintptr_t)begin) / 4u;
+}
+
 void board_reset(void) {
-    uint32_t *to;
-    const uint32_t *from = board_data_load;
+    uint32_t i;
 #ifdef __ARM_FP
     *(volatile uint32_t *)0xE000ED88u |= 0xFu << 20; /* CPACR: full access to the FPU */
     __asm__ volatile("dsb\n\tisb" ::: "memory");
 #endif
-    for (to = board_data; to < board_data_end;) *to++ = *from++;
-    for (to = board_bss; to < board_bss_end;) *to++ = 0;
+    for (i = words(board_data, board_data_end); i-- > 0;) board_data[i] = board_data_load[i];
+    for (i = words(board_bss, board_bss_end); i-- > 0;) board_bss[i] = 0;
     nook_port_exit(main());
 }

@@ -1,7 +1,8 @@
 #!/bin/sh
 # sum.sh -- run commands that end with "N passed, N failed, N skipped", and add up those lines.
 # usage: sum.sh REQUIRE COMMAND...   "skip: why" counts as skipped, or as failed where REQUIRE is 1.
-# A command that ends with no such line, or with a status its line does not explain, counts as failed.
+# A command that ends with no such line, or with a status its line does not explain, counts as failed;
+# so does a run of nothing at all.
 require=$1
 shift
 passed=0 failed=0 skipped=0
@@ -30,4 +31,4 @@ for command in "$@"; do
     fi
 done
 echo "$passed passed, $failed failed, $skipped skipped"
-[ $failed -eq 0 ] && [ $passed -gt 0 ]
+[ $failed -eq 0 ] && [ $((passed + skipped)) -gt 0 ]
