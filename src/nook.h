@@ -23,6 +23,7 @@
  *                                    NOOK_MORE to be called again, else an error; what is left of
  *                                    units can be handed to the next call
  *     nook_X(...)                    both in a loop
+ * (nook_digest() and nook_drop_degenerate() are one plain pass and have only the last form.)
  * Each header says what a unit is and the most instructions it costs. States are at most 256
  * bytes. Nothing recurses; `make stack` prints the worst stack of every function.
  *

@@ -406,6 +406,53 @@ static void a_defective_mesh_linked_without_marks_stays_unknown(void) {
     CHECK_EQUAL(b.shells.count, 0);
 }
 
+/* The report of a whole tetrahedron, and as many triangles with a hole and one apart. */
+static void a_report_that_does_not_fit_the_tables_is_not_believed(void) {
+    nook_report whole;
+    uint32_t i;
+    tetrahedron();
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    whole = b.report;
+    tetrahedron();
+    b.mesh.nv = 7;
+    b.mesh.nt = 3;
+    add(4, 5, 6);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    CHECK_EQUAL(check_as_it_is(&whole), NOOK_OK);
+    CHECK_EQUAL(b.result.edges, NOOK_UNKNOWN);
+    CHECK(!nook_is_sound(&b.result));
+    tetrahedron();
+    for (i = 0; i < 6; i++) { /* nor is one of which a single count is off */
+        CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+        b.report.edges += i == 0;
+        b.report.border_edges += i == 1;
+        b.report.matched_edges += i == 2;
+        b.report.incoherent_edges += i == 3;
+        b.report.nonmanifold_edges += i == 4;
+        b.report.odd_edges += i == 5;
+        CHECK_EQUAL(check_as_it_is(&b.report), NOOK_OK);
+        CHECK_EQUAL(b.result.manifold, NOOK_MAYBE);
+    }
+}
+
+static void shells_one_by_one_must_not_be_inside_out(void) {
+    uint32_t t;
+    shapes[14].build();
+    for (t = 0; t < 4; t++) { /* the smaller of the two */
+        nook_index keep = b.mesh.V[3 * t];
+        b.mesh.V[3 * t] = b.mesh.V[3 * t + 1];
+        b.mesh.V[3 * t + 1] = keep;
+    }
+    forget();
+    CHECK_EQUAL(link_and_check(&finder), NOOK_OK);
+    only(NOOK_INSIDE_OUT, 1, NOOK_AT_TRIANGLE, 0);
+    CHECK_EQUAL(b.result.inside_out, NOOK_NO);
+    CHECK_EQUAL(b.result.inside_out_shells, 1);
+    b.shells.count = 1000; /* garbage from the caller */
+    CHECK_EQUAL(check_as_it_is(&b.report), NOOK_OK);
+    CHECK(b.shells.count <= b.shells.max_shells);
+}
+
 static void a_report_of_another_mesh_and_missing_arguments_are_refused(void) {
     nook_check_state state;
     nook_view view;
@@ -589,6 +636,8 @@ static const test tests[] = {
     TEST(tables_of_garbage_end_in_time),
     TEST(without_a_report_what_O_cannot_tell_is_unknown),
     TEST(a_defective_mesh_linked_without_marks_stays_unknown),
+    TEST(a_report_that_does_not_fit_the_tables_is_not_believed),
+    TEST(shells_one_by_one_must_not_be_inside_out),
     TEST(a_report_of_another_mesh_and_missing_arguments_are_refused),
     TEST(derived_properties_follow_the_oracle_on_all_surfaces),
     TEST(a_cube_has_six_sides_and_one_volume_wherever_it_stands),

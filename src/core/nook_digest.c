@@ -21,6 +21,7 @@ static uint32_t digest_float(uint32_t crc, float x) {
 
 uint32_t nook_digest(const nook_view *view) {
     uint32_t i, crc = UINT32_MAX;
+    NOOK_REQUIRE(view != NULL);
     crc = digest_word(crc, view->nv);
     crc = digest_word(crc, view->nt);
     for (i = 0; i < view->nv; i++) {

@@ -44,6 +44,7 @@ nook_status nook_view_init(nook_view *view, const nook_point *G, const nook_inde
 
 nook_status nook_mesh_append(nook_mesh *mesh, const nook_point corners[3]) {
     uint32_t i;
+    NOOK_REQUIRE(mesh != NULL && corners != NULL);
     if (mesh->nt >= mesh->max_nt || mesh->max_nv - mesh->nv < 3u) return NOOK_NO_CAPACITY;
     for (i = 0; i < 3u; i++) {
         mesh->G[mesh->nv + i] = corners[i];

@@ -61,7 +61,8 @@ typedef struct nook_mesh {
 size_t nook_mesh_bytes(uint32_t max_nv, uint32_t max_nt);
 
 /* Make an empty mesh over the caller's arrays: G[max_nv], V[3 max_nt], O[3 max_nt], C[max_nv].
- * Nothing is read or written but *mesh; the arrays stay the caller's and must outlive it.
+ * Nothing is read or written but *mesh; the arrays stay the caller's and must outlive it. To fill it, append
+ * triangles, or write G and V yourself and set mesh->nv and mesh->nt.
  *   NOOK_NULL_ARGUMENT  mesh, or an array that must hold something, is null
  *   NOOK_MISALIGNED     an array is not aligned to its element
  *   NOOK_NO_CAPACITY    max_nv > NOOK_MAX_VERTICES or max_nt > NOOK_MAX_TRIANGLES

@@ -51,6 +51,7 @@ static bool opposite_is_good(const nook_view *m, uint32_t c) {
 static void look_at_corner(nook_check_state *s, uint32_t c) {
     const nook_index *V = s->view.V;
     nook_set_bit(s->marks.Mv, V[c]);
+    s->loose += s->view.O[c] == c;
     if (!opposite_is_good(&s->view, c)) {
         count(s, &s->result->bad_opposites, NOOK_BAD_OPPOSITE, NOOK_AT_CORNER, c);
     }
@@ -96,6 +97,23 @@ static void copy_report(nook_check_result *r, const nook_report *report) {
                       r->survey.orientable == NOOK_YES && r->survey.components == 1u && r->euler == 2);
 }
 
+/* Whether the report can be of these tables: a matched edge takes two corners, and those that O leaves
+ * alone are on edges of the other kinds, one, two, and three or more to an edge. */
+static bool report_fits(const nook_check_state *s) {
+    const nook_report *r = s->report;
+    uint32_t nc = 3u * s->view.nt,
+             cut = r->border_edges + 2u * r->incoherent_edges + 3u * r->nonmanifold_edges;
+    /* With no count above 3T, which is below 2^30, none of the sums wraps around. */
+    if (r->border_edges > nc || r->matched_edges > nc || r->incoherent_edges > nc ||
+        r->nonmanifold_edges > nc)
+        return false;
+    if (r->edges > nc ||
+        r->border_edges + r->matched_edges + r->incoherent_edges + r->nonmanifold_edges != r->edges)
+        return false;
+    if (2u * r->matched_edges + s->loose != nc) return false;
+    return r->nonmanifold_edges != 0 ? cut <= s->loose : cut == s->loose && r->odd_edges == r->border_edges;
+}
+
 /* After the survey, or without it: conclude, and go on to what can be measured. */
 static void conclude(nook_check_state *s) {
     nook_check_result *r = s->result;
@@ -107,10 +125,12 @@ static void conclude(nook_check_state *s) {
 static nook_status begin_survey(nook_check_state *s) {
     nook_check_result *r = s->result;
     const nook_report *report = s->report;
-    bool whole = report == NULL || (report->incoherent_edges == 0 && report->nonmanifold_edges == 0);
-    bool done = report != NULL && report->survey.components != NOOK_UNKNOWN;
+    bool whole, done;
+    if (report != NULL && tables_are_good(r) && !report_fits(s)) s->report = report = NULL;
+    whole = report == NULL || (report->incoherent_edges == 0 && report->nonmanifold_edges == 0);
+    done = !whole && report->survey.components != NOOK_UNKNOWN;
     r->clean = truth(r->isolated_vertices == 0 && r->repeated_vertex_triangles == 0);
-    if (tables_are_good(r) && whole && !done) {
+    if (tables_are_good(r) && whole) {
         return nook_survey_begin(&s->in.survey, &s->view, NULL, &s->marks, s->shells, s->finder, &r->survey);
     }
     if (tables_are_good(r) && done) {
@@ -200,7 +220,8 @@ static void finish_shell(nook_check_state *s, uint32_t k) {
     bool closed = !shell->has_nonmanifold_edge && shell->border_edges == 0 && shell->incoherent_edges == 0;
     float volume = closed ? nook_sum_value(&shell->volume) : 0;
     shell->signed_volume = unscaled_volume(s, volume);
-    if (volume < 0) nook_tell(s->finder, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, shell->first_triangle);
+    if (volume < 0)
+        count(s, &s->result->inside_out_shells, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, shell->first_triangle);
 }
 
 /* ---- passes ----------------------------------------------------------------------------------- */
@@ -286,6 +307,8 @@ nook_status nook_check_begin(nook_check_state *s, const nook_view *view, const n
     if (marks->Mt == NULL || marks->Mv == NULL) return NOOK_NULL_ARGUMENT;
     if (marks->max_nt < view->nt || marks->max_nv < view->nv) return NOOK_NO_CAPACITY;
     if (report != NULL && report->triangles != view->nt) return NOOK_NO_CAPACITY;
+    if (nook_shells_status(shells, view->nt) != NOOK_OK) return NOOK_NULL_ARGUMENT;
+    if (shells != NULL && shells->count > shells->max_shells) shells->count = shells->max_shells;
     all_unknown(result);
     result->vertices = view->nv;
     result->triangles = view->nt;
@@ -316,5 +339,5 @@ nook_status nook_check(const nook_view *view, const nook_marks *marks, const noo
 bool nook_is_sound(const nook_check_result *r) {
     return tables_are_good(r) && r->bad_coordinates == 0 && r->manifold == NOOK_YES &&
            r->watertight == NOOK_YES && r->oriented == NOOK_YES && r->inside_out == NOOK_NO &&
-           r->duplicate_triangles == 0;
+           r->inside_out_shells == 0 && r->duplicate_triangles == 0;
 }

@@ -32,9 +32,11 @@ typedef struct nook_check_result {
     nook_truth oriented;      /* no incoherent edge */
     nook_truth clean;         /* no isolated vertex, no triangle with a repeated vertex */
     nook_truth simple;        /* one shell of genus 0: watertight, manifold, orientable */
-    nook_truth inside_out;    /* signed volume < 0; NOOK_MAYBE unless watertight and oriented */
+    uint32_t
+        inside_out_shells; /* closed, oriented shells of negative volume; counted when shells are given */
+    nook_truth inside_out; /* signed volume < 0; NOOK_MAYBE unless watertight and oriented */
 
-    /* Geometry; only with geometry_known. The box covers the vertices of triangles. */
+    /* Geometry; only with geometry_known. The box covers the vertices of triangles; without any it is 0. */
     bool geometry_known;
     float area;
     float signed_volume; /* about the centre of the box; a volume only if watertight and oriented */
@@ -48,7 +50,7 @@ typedef struct nook_check_state {
     nook_shells *shells;
     const nook_finder *finder;
     nook_check_result *result;
-    uint32_t phase, at;
+    uint32_t phase, at, loose; /* loose: corners that are their own opposite */
     union {
         nook_survey_state survey;
         struct {
@@ -64,8 +66,11 @@ typedef struct nook_check_state {
  *   report  what link said of this mesh, or null: then what O alone cannot tell is unknown
  *   shells  each component described, signed volumes included; the same struct that was given to
  *           link; may be null
- *   finder  told of every defect and its element; may be null
+ *   finder  told of what check itself finds: bad tables and numbers, isolated vertices, shells inside out,
+ *           and the survey's findings if it is done here. Edges and duplicates were told by link. May be null
  *   NOOK_NULL_ARGUMENT, NOOK_NO_CAPACITY (marks too small, or report of another triangle count)
+ * A report that cannot be of these tables (its edges do not add up to the corners that O leaves alone) is
+ * taken for no report.
  * A defect is not an error of the call: step returns NOOK_OK when the check is finished, and
  * nook_is_sound() gives the verdict. Every table may hold any bits: no access leaves the arrays and
  * the bound on steps holds.
@@ -79,8 +84,8 @@ nook_status nook_check_step(nook_check_state *state, uint32_t *units);
 nook_status nook_check(const nook_view *view, const nook_marks *marks, const nook_report *report,
                        nook_shells *shells, const nook_finder *finder, nook_check_result *result);
 
-/* The verdict: tables whole, manifold, watertight, oriented, not inside out, no duplicate and no
- * repeated vertex. Unknown counts as no. */
+/* The verdict: tables whole, manifold, watertight, oriented, no duplicate and no repeated vertex, not
+ * inside out: no shell if shells were given, else the sum of all. Unknown counts as no. */
 bool nook_is_sound(const nook_check_result *result);
 
 #endif

@@ -7,7 +7,7 @@
  *     O[leader] > leader   the next leader in the list, a later corner      (or itself: the end)
  *     O[member] < member   the leader of its edge
  *
- * so that one look tells which is which. A hub with thousands of edges must not make this quadratic:
+ * so that one look tells which is which. (Tails, below, are brought into this order before pairing.) A hub with thousands of edges must not make this quadratic:
  * after LOOKS leaders an edge is put behind them unsearched, and such tails are merge-sorted in
  * their own links afterwards, O(n log n) whatever the labels and valences.
  *
@@ -15,7 +15,8 @@
  * a border edge is a ring of one, a matched edge a ring of two, and that is O. A sound mesh is
  * finished here, its edges counted on the way.
  *
- * Only if some edge is incoherent or non-manifold, or somebody wants to hear of border edges: a
+ * Only if some edge is incoherent or non-manifold, two triangles are twins, or somebody wants to hear of
+ * border edges: a
  * census of the rings, the survey while O still pairs incoherent edges, and a last pass that cuts
  * all but the matched ones. */
 #include "table/nook_link.h"
@@ -392,6 +393,8 @@ nook_status nook_link_begin(nook_link_state *s, nook_mesh *mesh, const nook_mark
         if (marks->max_nt < mesh->nt || marks->max_nv < mesh->nv) return NOOK_NO_CAPACITY;
         s->marks = *marks;
     }
+    if (nook_shells_status(shells, mesh->nt) != NOOK_OK) return NOOK_NULL_ARGUMENT;
+    if (shells != NULL) shells->count = 0;
     memset(report, 0, sizeof *report);
     report->triangles = mesh->nt;
     nook_survey_unknown(&report->survey);

@@ -49,7 +49,7 @@ typedef struct nook_link_state {
  *   shells  described here if the mesh is surveyed here; may be null
  *   finder  told of NOOK_BORDER_EDGE, NOOK_INCOHERENT_EDGE, NOOK_NONMANIFOLD_EDGE (where: the smallest
  *           corner that faces the edge), NOOK_DUPLICATE_TRIANGLE, and what the survey finds; may be null
- *   NOOK_NULL_ARGUMENT
+ *   NOOK_NULL_ARGUMENT       an argument, or an array of marks or shells
  *   NOOK_NO_CAPACITY         marks too small
  *   NOOK_INDEX_OUT_OF_RANGE  V names no vertex. state->where: the corner
  *   NOOK_REPEATED_VERTEX     state->where: the triangle; nook_drop_degenerate() removes such

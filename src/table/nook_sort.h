@@ -17,7 +17,7 @@ typedef struct nook_list_sort {
     bool merging;         /* or still looking for the right run */
 } nook_list_sort;
 
-/* Sort the list that begins at head. before(context, y, x) says whether y of the right run must
+/* The rest sorts the list that begins at head. before(context, y, x) says whether y of the right run must
  * come before x of the left one; sort->head is the result. Private to nook's own files; they pass a
  * function that the compiler sees, so that nothing is called through a pointer. */
 static inline uint32_t nook_list_next(const nook_index *link, uint32_t x) {

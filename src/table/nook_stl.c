@@ -67,6 +67,7 @@ static nook_status take_record(nook_stl *stl, nook_point corners[3]) {
 /* Copy into bytes[] until it holds count; true when it does. */
 static bool fill(nook_stl *stl, uint32_t count, const uint8_t **at, size_t *left) {
     size_t wanted = count - stl->filled, take = wanted < *left ? wanted : *left;
+    if (take == 0) return false;
     memcpy(stl->bytes + stl->filled, *at, take);
     stl->filled = (uint8_t)(stl->filled + take);
     stl->offset += (uint32_t)take;
@@ -88,7 +89,9 @@ static nook_status push_binary(nook_stl *stl, const uint8_t **at, size_t *left, 
 /* ---- ASCII ----------------------------------------------------------------------------------- */
 
 static bool word_is(const nook_stl *stl, const char *word) {
-    return stl->letters == strlen(word) && memcmp(stl->word, word, stl->letters) == 0;
+    uint32_t i = 0;
+    while (i < stl->letters && word[i] != 0 && word[i] == stl->word[i]) i++;
+    return i == stl->letters && word[i] == 0;
 }
 
 /* A word has ended where a name was due. */
@@ -135,14 +138,15 @@ static nook_status take_space(nook_stl *stl, uint8_t byte) {
         if (stl->step == NAME) stl->step = FACET;
         if (stl->step == LAST_NAME) stl->step = SOLID;
     }
-    stl->line += byte == '\n' && status == NOOK_OK;
+    if (status == NOOK_OK) stl->line += byte == '\r' || (byte == '\n' && !stl->after_return);
+    stl->after_return = byte == '\r';
     return status;
 }
 
 /* The word "nan" or "inf" where a number is due deserves its own answer. */
 static nook_status bad_number(const nook_stl *stl, uint8_t byte) {
     uint8_t letter = byte | 0x20u;
-    return stl->letters <= 1u && (letter == 'n' || letter == 'i') ? NOOK_NOT_FINITE : NOOK_BAD_NUMBER;
+    return stl->number.place <= 1u && (letter == 'n' || letter == 'i') ? NOOK_NOT_FINITE : NOOK_BAD_NUMBER;
 }
 
 /* One byte of a text. NOOK_TRIANGLE with the last letter of "endfacet", which may end the file. */
@@ -179,9 +183,14 @@ static nook_status push_ascii(nook_stl *stl, const uint8_t **at, size_t *left, n
 
 /* ---- which of the two ------------------------------------------------------------------------ */
 
+/* The bytes of a mark that some editors put before a text in UTF-8. */
+static uint32_t mark_of_utf8(const nook_stl *stl) {
+    return stl->filled >= 3u && memcmp(stl->bytes, "\xEF\xBB\xBF", 3) == 0 ? 3u : 0;
+}
+
 static bool looks_like_text(const nook_stl *stl) {
     static const char solid[] = "solid";
-    uint32_t i, first = 0;
+    uint32_t i, first = mark_of_utf8(stl);
     while (first < stl->filled && is_space(stl->bytes[first])) first++;
     for (i = 0; i < 5u; i++) {
         if (first + i >= stl->filled || (stl->bytes[first + i] | 0x20u) != (uint8_t)solid[i]) return false;
@@ -197,7 +206,8 @@ static nook_status begin_text(nook_stl *stl) {
     uint32_t i;
     stl->ascii = true;
     stl->step = SOLID;
-    for (i = 0; i < stl->filled && status == NOOK_OK; i++) status = take_byte(stl, stl->bytes[i]);
+    for (i = mark_of_utf8(stl); i < stl->filled && status == NOOK_OK; i++)
+        status = take_byte(stl, stl->bytes[i]);
     return status;
 }
 
@@ -232,7 +242,7 @@ nook_status nook_stl_end(nook_stl *stl) {
         status = begin_text(stl);
     }
     if (stl->step == RECORD) return stl->triangles == stl->declared ? NOOK_OK : fail(stl, NOOK_TRUNCATED);
-    if (status == NOOK_OK) status = take_space(stl, '\n');
+    if (status == NOOK_OK) status = take_space(stl, ' ');
     if (status != NOOK_OK) return status;
-    return stl->step == FACET || stl->step == SOLID ? NOOK_OK : fail(stl, NOOK_TRUNCATED);
+    return stl->step == FACET || stl->step >= SOLID ? NOOK_OK : fail(stl, NOOK_TRUNCATED);
 }

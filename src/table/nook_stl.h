@@ -16,7 +16,7 @@
  *     status = nook_stl_end(&stl);
  *
  * Normals and attribute bytes are ignored. ASCII: any case, several solids joined, "endsolid"
- * optional. */
+ * optional; but the name of a solid ends with its line. */
 #ifndef NOOK_STL_H
 #define NOOK_STL_H
 
@@ -38,7 +38,7 @@ typedef struct nook_stl {
     uint8_t letters;      /* of the word being read */
     uint8_t step;         /* private: what is read now */
     uint8_t failed;       /* the status that ended reading; NOOK_OK */
-    bool ascii;
+    bool ascii, after_return;
     bool trailing; /* bytes followed the declared triangles and were ignored */
 } nook_stl;
 
@@ -53,7 +53,6 @@ void nook_stl_begin(nook_stl *stl, uint32_t size);
  *   NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE  a coordinate; a word that begins like "nan" or
  *                             "inf" is called not finite. stl->where: byte or line
  *   NOOK_TRUNCATED            size is known and too small for the triangles announced
- *   NOOK_UNKNOWN_FORMAT       neither of the two formats
  * After an error every further call returns the same one. Steps: O(bytes); the number parser's
  * bound for each number. */
 nook_status nook_stl_push(nook_stl *stl, const uint8_t **at, size_t *left, nook_point corners[3]);

@@ -3,7 +3,7 @@
  * Components. Depth-first search over triangles; the code of a triangle is 0 before it is entered,
  * then 1 + (which of its corners it was entered by) + 3 * (whether it runs against the first
  * triangle). The way back from entry corner e is O[e], so there is no stack. Every corner but entry
- * corners is looked across once, every triangle is left once: at most 4T hops.
+ * corners is looked across once, every triangle is left once: at most 5T hops.
  *
  * An edge with more than two triangles is a ring x -> y -> z -> x in O. Whoever looks across x takes
  * y off the ring: a triangle not yet entered gets its way back written into O[y], any other becomes
@@ -303,10 +303,7 @@ nook_status nook_survey_begin(nook_survey_state *s, const nook_view *view, nook_
     s->phase = FAILED;
     if (marks->Mt == NULL || marks->Mv == NULL) return NOOK_NULL_ARGUMENT;
     if (marks->max_nt < view->nt || marks->max_nv < view->nv) return NOOK_NO_CAPACITY;
-    if (shells != NULL && view->nt != 0) {
-        if (shells->component == NULL || shells->stamp == NULL) return NOOK_NULL_ARGUMENT;
-        if (shells->max_shells != 0 && shells->shell == NULL) return NOOK_NULL_ARGUMENT;
-    }
+    if (nook_shells_status(shells, view->nt) != NOOK_OK) return NOOK_NULL_ARGUMENT;
     memset(result, 0, sizeof *result);
     result->orientable = rings != NULL ? NOOK_MAYBE : NOOK_YES;
     if (shells != NULL) shells->count = 0;

@@ -57,6 +57,13 @@ typedef struct nook_shells {
     uint32_t count;        /* out: how many are described */
 } nook_shells;
 
+/* NOOK_NULL_ARGUMENT if shells is given without an array that nt triangles need. */
+static inline nook_status nook_shells_status(const nook_shells *shells, uint32_t nt) {
+    if (shells == NULL || nt == 0) return NOOK_OK;
+    if (shells->component == NULL || shells->stamp == NULL) return NOOK_NULL_ARGUMENT;
+    return shells->max_shells != 0 && shells->shell == NULL ? NOOK_NULL_ARGUMENT : NOOK_OK;
+}
+
 /* The shell of triangle t, or null if it is not described. */
 static inline nook_shell *nook_shell_of(const nook_shells *shells, uint32_t t) {
     return shells != NULL && shells->component[t] < shells->count ? &shells->shell[shells->component[t]]
@@ -84,7 +91,7 @@ typedef struct nook_survey_state {
  * rings: null, or view->O writable, where the corners of each edge with more than two triangles name
  *   each other in a ring. The search takes these apart; it leaves no two of their corners mutual.
  * marks: for at least nt triangles and nv vertices. shells and finder may be null.
- * Found through finder: NOOK_NOT_ORIENTABLE (once a component), NOOK_NONMANIFOLD_VERTEX (once each).
+ * finder hears of NOOK_NOT_ORIENTABLE (once a component), NOOK_NONMANIFOLD_VERTEX (once each).
  *   NOOK_NULL_ARGUMENT, NOOK_NO_CAPACITY (marks too small)
  *   NOOK_BAD_OPPOSITE from step, if O or V are not as above: never an endless walk nor a bad access
  * Steps: 8 nt hops of the search (5 nt without rings), 9 nt of the fans, 6 nt of the loops, and the

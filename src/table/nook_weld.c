@@ -158,6 +158,7 @@ nook_status nook_weld(nook_mesh *mesh, nook_index *map, nook_index *order, nook_
 uint32_t nook_drop_degenerate(nook_mesh *mesh) {
     nook_index *V = mesh->V;
     uint32_t t, kept = 0, dropped;
+    NOOK_REQUIRE(mesh != NULL);
     for (t = 0; t < mesh->nt; t++) {
         nook_index a = V[3u * t], b = V[3u * t + 1u], c = V[3u * t + 2u];
         if (a == b || b == c || c == a) continue;

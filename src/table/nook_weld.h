@@ -1,4 +1,4 @@
-/* nook_weld.h -- join vertices with equal coordinates, and drop triangles that this makes empty.
+/* nook_weld.h -- join vertices with equal coordinates; then drop the triangles that this made empty.
  *
  * Bit-exact: two vertices are one if all three coordinates are numerically equal, so that -0 joins
  * +0 and nothing else moves. Vertices keep the order of their first occurrence. */

@@ -78,7 +78,7 @@ static void measure(const char *name, bool defects) {
     nook_check_begin(&check, &view, &marks, &report, &shells, NULL, &result);
     MOST_TICKS(c, nook_check_step(&check, &units));
     print_text(name);
-    print_text(nook_is_sound(&result) ? " (sound)\n" : " (defective)\n");
+    print_text("\n");
     print_most("  weld, one unit:  ", w);
     print_most("  link, one unit:  ", l);
     print_most("  check, one unit: ", c);
