@@ -25,14 +25,25 @@ static void inside_out(drawing *d) {
 
 static void duplicate(drawing *d) { drawing_triangle(d, d->V[0], d->V[1], d->V[2]); }
 
-/* A third triangle on an edge, standing off the surface like a fin. */
+static uint32_t triangles_on(const drawing *d, uint32_t v, uint32_t w) {
+    uint32_t i, n = 0;
+    for (i = 0; i < 3u * d->nt; i += 3u) {
+        const uint32_t *t = d->V + i;
+        n += (t[0] == v || t[1] == v || t[2] == v) && (t[0] == w || t[1] == w || t[2] == w);
+    }
+    return n;
+}
+
+/* A third triangle on an edge, standing off the surface like a fin; on a rim two, back to back. */
 static void nonmanifold_edge(drawing *d) {
+    bool rim = triangles_on(d, d->V[0], d->V[1]) == 1u;
     nook_point a = d->G[d->V[0]], b = d->G[d->V[1]], c = d->G[d->V[2]];
     nook_point normal = nook_cross(nook_sub(b, a), nook_sub(c, a));
     float size = nook_length(nook_sub(b, a)), length = nook_length(normal);
     nook_point tip = nook_scaled(normal, length > 0 ? size / length : 0);
     uint32_t v = drawing_vertex(d, nook_make(a.x + tip.x, a.y + tip.y, a.z + tip.z));
     drawing_triangle(d, d->V[0], d->V[1], v);
+    if (rim) drawing_triangle(d, d->V[1], d->V[0], v);
 }
 
 /* The only vertex that lies furthest in a direction along which no shape here has a flat side. */

@@ -45,6 +45,10 @@ defect flipped '"code":"incoherent_edge","severity":"error","count":3'
 defect inside-out '"inside_out":true'
 defect duplicate '"duplicate_triangles":1'
 defect nonmanifold-edge '"code":"nonmanifold_edge","severity":"error","count":1'
+for shape in sheet moebius; do
+    "$nook" make $shape --defect nonmanifold-edge -o "$dir/fin.obj" 2>/dev/null
+    expect "a fin on the rim of a $shape" 1 '"nonmanifold_edges":1,' "$nook" check --json "$dir/fin.obj"
+done
 defect bow-tie '"code":"nonmanifold_vertex","severity":"error","count":1'
 defect degenerate '"degenerate_triangles":1'
 "$nook" make icosphere --defect isolated -o "$dir/isolated.off"
