@@ -453,6 +453,43 @@ static void shells_one_by_one_must_not_be_inside_out(void) {
     CHECK(b.shells.count <= b.shells.max_shells);
 }
 
+static void a_volume_of_nothing_is_not_inside_out(void) {
+    nook_view view;
+    shapes[11].build(); /* two triangles back to back */
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    view = nook_view_of(&b.mesh);
+    forget();
+    CHECK_EQUAL(nook_check(&view, &b.marks, &b.report, NULL, &finder, &b.result), NOOK_OK);
+    CHECK(b.result.signed_volume == 0);
+    CHECK_EQUAL(b.result.inside_out, NOOK_NO);
+    CHECK_EQUAL(all_found(), 0);
+}
+
+/* Marks that change while a check runs: any answer, but in time and in bounds. */
+static void marks_spoiled_on_the_way_end_in_time(void) {
+    uint32_t i;
+    for (i = 0; i < 400 && !test_has_failed(); i++) {
+        nook_check_state state;
+        nook_view view;
+        nook_status status;
+        uint32_t units, steps = 0;
+        icosphere(1);
+        CHECK_EQUAL(nook_link(&b.mesh, &b.marks, NULL, NULL, &b.report, NULL), NOOK_OK);
+        view = nook_view_of(&b.mesh);
+        CHECK_EQUAL(nook_check_begin(&state, &view, &b.marks, &b.report, &b.shells, NULL, &b.result),
+                    NOOK_OK);
+        do {
+            units = 3;
+            status = nook_check_step(&state, &units);
+            b.Mt[throw_dice(&d, (uint32_t)NOOK_MT_BYTES(32))] =
+                (uint8_t)(i % 4u == 0    ? 0
+                          : i % 4u == 1u ? 0xFF
+                                         : throw_dice(&d, 256));
+        } while (status == NOOK_MORE && ++steps < 2000);
+        CHECK(status == NOOK_OK || status == NOOK_BAD_OPPOSITE);
+    }
+}
+
 static void a_report_of_another_mesh_and_missing_arguments_are_refused(void) {
     nook_check_state state;
     nook_view view;
@@ -638,6 +675,8 @@ static const test tests[] = {
     TEST(a_defective_mesh_linked_without_marks_stays_unknown),
     TEST(a_report_that_does_not_fit_the_tables_is_not_believed),
     TEST(shells_one_by_one_must_not_be_inside_out),
+    TEST(a_volume_of_nothing_is_not_inside_out),
+    TEST(marks_spoiled_on_the_way_end_in_time),
     TEST(a_report_of_another_mesh_and_missing_arguments_are_refused),
     TEST(derived_properties_follow_the_oracle_on_all_surfaces),
     TEST(a_cube_has_six_sides_and_one_volume_wherever_it_stands),

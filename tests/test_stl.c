@@ -656,6 +656,69 @@ static void two_readers_do_not_know_of_each_other(void) {
 
 static void the_state_of_a_reader_is_at_most_256_bytes(void) { CHECK(sizeof(nook_stl) <= 256u); }
 
+/* A text in one chunk; the last status, and what was read. */
+static nook_status read_text(const char *text, size_t length) {
+    const uint8_t *at = (const uint8_t *)text;
+    nook_point corners[3];
+    nook_status status;
+    nook_stl_begin(&stl, NOOK_UNKNOWN);
+    while ((status = nook_stl_push(&stl, &at, &length, corners)) == NOOK_TRIANGLE) {
+    }
+    return status == NOOK_MORE ? nook_stl_end(&stl) : status;
+}
+
+#define FACET_TEXT(end)                                                                                      \
+    "facet normal 0 0 1" end "outer loop" end "vertex 0 0 0" end "vertex 1 0 0" end "vertex 0 1 0" end       \
+    "endloop" end "endfacet" end
+#define READ(text) read_text((text), sizeof(text) - 1)
+
+static void a_mark_of_utf8_before_a_text_is_skipped(void) {
+    CHECK_EQUAL(READ("\xEF\xBB\xBFsolid x\n" FACET_TEXT("\n") "endsolid x\n"), NOOK_OK);
+    CHECK_EQUAL(stl.triangles, 1);
+    CHECK_EQUAL(stl.ascii, true);
+    CHECK_EQUAL(READ("\xEF\xBB\xBFsolid"), NOOK_OK);
+    CHECK_EQUAL(READ("\xEF\xBB\xBF"), NOOK_UNKNOWN_FORMAT);
+}
+
+static void lines_are_counted_whatever_ends_them(void) {
+    CHECK_EQUAL(READ("solid x\r" FACET_TEXT("\r") "facet normal 0 0 1\router loop\rvertex 0 0 bad\r"),
+                NOOK_BAD_NUMBER);
+    CHECK_EQUAL(stl.where.kind, NOOK_AT_LINE);
+    CHECK_EQUAL(stl.where.index, 11);
+    CHECK_EQUAL(
+        READ("solid x\r\n" FACET_TEXT("\r\n") "facet normal 0 0 1\r\nouter loop\r\nvertex 0 0 bad\r\n"),
+        NOOK_BAD_NUMBER);
+    CHECK_EQUAL(stl.where.index, 11);
+    CHECK_EQUAL(READ("solid x\n\n" FACET_TEXT("\n") "facet normal 0 0 1\nouter loop\nvertex 0 0 bad\n"),
+                NOOK_BAD_NUMBER);
+    CHECK_EQUAL(stl.where.index, 12);
+}
+
+static void a_text_that_stops_in_a_facet_names_its_last_line(void) {
+    CHECK_EQUAL(READ("solid x\n" FACET_TEXT("\n") "facet normal"), NOOK_TRUNCATED);
+    CHECK_EQUAL(stl.where.index, 9);
+    CHECK_EQUAL(READ("solid x\nfacet normal"), NOOK_TRUNCATED);
+    CHECK_EQUAL(stl.where.index, 2);
+}
+
+static void only_a_word_that_begins_like_nan_or_inf_is_called_not_finite(void) {
+    CHECK_EQUAL(READ("solid x\n" FACET_TEXT("\n") "facet normal 0 0 1\nouter loop\nvertex -inf 0 0\n"),
+                NOOK_NOT_FINITE);
+    CHECK_EQUAL(READ("solid x\n" FACET_TEXT("\n") "facet normal 0 0 1\nouter loop\nvertex 1in 0 0\n"),
+                NOOK_BAD_NUMBER);
+    CHECK_EQUAL(READ("solid x\n" FACET_TEXT("\n") "facet normal 0 0 1\nouter loop\nvertex 1 i 0\n"),
+                NOOK_NOT_FINITE);
+}
+
+static void an_empty_chunk_without_an_address_is_harmless(void) {
+    nook_point corners[3];
+    const uint8_t *at = NULL;
+    size_t left = 0;
+    nook_stl_begin(&stl, NOOK_UNKNOWN);
+    CHECK_EQUAL(nook_stl_push(&stl, &at, &left, corners), NOOK_MORE);
+    CHECK_EQUAL(nook_stl_end(&stl), NOOK_UNKNOWN_FORMAT);
+}
+
 static const test tests[] = {
     TEST(a_binary_file_is_read_in_every_size_of_chunk),
     TEST(a_text_is_read_in_every_size_of_chunk),
@@ -685,6 +748,11 @@ static const test tests[] = {
     TEST(random_words_never_give_triangles_that_are_not_there),
     TEST(two_readers_do_not_know_of_each_other),
     TEST(the_state_of_a_reader_is_at_most_256_bytes),
+    TEST(a_mark_of_utf8_before_a_text_is_skipped),
+    TEST(lines_are_counted_whatever_ends_them),
+    TEST(a_text_that_stops_in_a_facet_names_its_last_line),
+    TEST(only_a_word_that_begins_like_nan_or_inf_is_called_not_finite),
+    TEST(an_empty_chunk_without_an_address_is_harmless),
 };
 
 void test_stl(void) { run_tests(tests, sizeof tests / sizeof *tests); }
