@@ -25,16 +25,15 @@ typedef struct nook_check_result {
     int32_t euler; /* referenced vertices - edges + triangles; only when edges is known */
     bool euler_known;
 
-    nook_truth edge_manifold; /* no edge with more than two triangles */
-    nook_truth manifold;      /* that, at least one triangle, and every vertex a single fan */
-    nook_truth even;          /* every edge has an even number of triangles */
-    nook_truth watertight;    /* at least one triangle, and every edge has exactly two */
-    nook_truth oriented;      /* no incoherent edge */
-    nook_truth clean;         /* no isolated vertex, no triangle with a repeated vertex */
-    nook_truth simple;        /* one shell of genus 0: watertight, manifold, orientable */
-    uint32_t
-        inside_out_shells; /* closed, oriented shells of negative volume; counted when shells are given */
-    nook_truth inside_out; /* signed volume < 0; NOOK_MAYBE unless watertight and oriented */
+    nook_truth edge_manifold;   /* no edge with more than two triangles */
+    nook_truth manifold;        /* that, at least one triangle, and every vertex a single fan */
+    nook_truth even;            /* every edge has an even number of triangles */
+    nook_truth watertight;      /* at least one triangle, and every edge has exactly two */
+    nook_truth oriented;        /* no incoherent edge */
+    nook_truth clean;           /* no isolated vertex, no triangle with a repeated vertex */
+    nook_truth simple;          /* one shell of genus 0: watertight, manifold, orientable */
+    uint32_t inside_out_shells; /* closed shells of negative volume; only if shells are given */
+    nook_truth inside_out;      /* signed volume < 0; NOOK_MAYBE unless watertight and oriented */
 
     /* Geometry; only with geometry_known. The box covers the vertices of triangles; without any it is 0. */
     bool geometry_known;

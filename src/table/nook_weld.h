@@ -22,6 +22,8 @@ typedef struct nook_weld_state {
 /* Weld the vertices of mesh (G, V, nv; O and C are neither read nor kept valid).
  *   map[nv]    out: the new vertex of every old one (nv as it was before)
  *   order[NOOK_WELD_SCRATCH(nv)]  scratch
+ * Both may be the mesh's own C and O, which hold nothing yet: C has room for nv entries, and O for the 3 nt
+ * vertices of a soup.
  *   NOOK_NULL_ARGUMENT
  *   NOOK_INDEX_OUT_OF_RANGE       V names no vertex; state->where. The mesh is then unchanged
  *   NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE  a coordinate; state->where. Unchanged
