@@ -26,7 +26,7 @@
  * (nook_digest() and nook_drop_degenerate() are one plain pass and have only the last form.)
  * Each header says what a unit is and the most instructions it costs. States are at most 256
  * bytes. Nothing recurses. The worst stack, helpers of the compiler included, is 500 bytes on Cortex-M0 and
- * M4F (one-call link and check, which hold their state there), 460 for the STL parser, 320 for a step of link
+ * M4F (one-call link and check, which hold their state there), 460 for the STL and number parsers, 320 for a step of link
  * or check, 220 and less for all others; `make stack` prints it function by function.
  *
  * Numbers. float32 only; the same bits on every core (build with -ffp-contract=off and without

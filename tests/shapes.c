@@ -32,6 +32,12 @@ void add_list(const uint8_t *vertices, uint32_t triangles) {
     for (t = 0; t < triangles; t++) add(vertices[3 * t], vertices[3 * t + 1], vertices[3 * t + 2]);
 }
 
+void turn_over(uint32_t t) {
+    nook_index keep = b.mesh.V[3 * t];
+    b.mesh.V[3 * t] = b.mesh.V[3 * t + 1];
+    b.mesh.V[3 * t + 1] = keep;
+}
+
 void tetrahedron(void) {
     static const uint8_t list[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
     begin_shape(4);

@@ -34,6 +34,8 @@ void begin_shape(uint32_t nv);
 void place(uint32_t v, float x, float y, float z);
 void add(uint32_t v0, uint32_t v1, uint32_t v2);
 void add_list(const uint8_t *vertices, uint32_t triangles);
+/* Run triangle t the other way. */
+void turn_over(uint32_t t);
 
 typedef struct shape {
     const char *name;

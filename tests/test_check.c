@@ -82,8 +82,7 @@ static void a_missing_triangle_shows_three_border_edges(void) {
 
 static void a_turned_triangle_shows_three_incoherent_edges(void) {
     octahedron();
-    b.mesh.V[0] = 2;
-    b.mesh.V[1] = 0; /* triangle 0 was 0 2 4 */
+    turn_over(0);
     forget();
     CHECK_EQUAL(link_and_check(&finder), NOOK_OK);
     CHECK_EQUAL(found[NOOK_INCOHERENT_EDGE], 3);
@@ -165,11 +164,7 @@ static void a_moebius_strip_is_not_orientable(void) {
 static void an_inside_out_shell_has_negative_volume(void) {
     uint32_t t;
     cube();
-    for (t = 0; t < b.mesh.nt; t++) {
-        nook_index keep = b.mesh.V[3 * t];
-        b.mesh.V[3 * t] = b.mesh.V[3 * t + 1];
-        b.mesh.V[3 * t + 1] = keep;
-    }
+    for (t = 0; t < b.mesh.nt; t++) turn_over(t);
     forget();
     CHECK_EQUAL(link_and_check(&finder), NOOK_OK);
     only(NOOK_INSIDE_OUT, 1, NOOK_AT_TRIANGLE, 0);
@@ -396,8 +391,7 @@ static void without_a_report_what_O_cannot_tell_is_unknown(void) {
 
 static void a_defective_mesh_linked_without_marks_stays_unknown(void) {
     octahedron();
-    b.mesh.V[0] = 2;
-    b.mesh.V[1] = 0;
+    turn_over(0);
     CHECK_EQUAL(nook_link(&b.mesh, NULL, NULL, NULL, &b.report, NULL), NOOK_OK);
     CHECK_EQUAL(check_as_it_is(&b.report), NOOK_OK);
     CHECK_EQUAL(b.result.incoherent_edges, 3);
@@ -438,11 +432,7 @@ static void a_report_that_does_not_fit_the_tables_is_not_believed(void) {
 static void shells_one_by_one_must_not_be_inside_out(void) {
     uint32_t t;
     shapes[14].build();
-    for (t = 0; t < 4; t++) { /* the smaller of the two */
-        nook_index keep = b.mesh.V[3 * t];
-        b.mesh.V[3 * t] = b.mesh.V[3 * t + 1];
-        b.mesh.V[3 * t + 1] = keep;
-    }
+    for (t = 0; t < 4; t++) turn_over(t); /* the smaller of the two */
     forget();
     CHECK_EQUAL(link_and_check(&finder), NOOK_OK);
     only(NOOK_INSIDE_OUT, 1, NOOK_AT_TRIANGLE, 0);
@@ -585,11 +575,7 @@ static void a_cube_too_small_for_its_volume_still_shows_that_it_is_inside_out(vo
     uint32_t t, k;
     for (k = 0; k < 2; k++) {
         move_cube(1e-20f, 0, 0, 0);
-        for (t = 0; t < b.mesh.nt && k == 1; t++) {
-            nook_index keep = b.mesh.V[3 * t];
-            b.mesh.V[3 * t] = b.mesh.V[3 * t + 1];
-            b.mesh.V[3 * t + 1] = keep;
-        }
+        for (t = 0; t < b.mesh.nt && k == 1; t++) turn_over(t);
         CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
         CHECK_EQUAL(b.result.inside_out, k);
     }

@@ -185,10 +185,7 @@ static void named_surfaces_and_their_shuffles_agree_with_the_oracle(void) {
             shapes[i].build();
             if (j > 0) shuffle(&d);
             if (j > 1) { /* and with some triangles turned over */
-                uint32_t t = throw_dice(&d, b.mesh.nt);
-                nook_index keep = b.mesh.V[3 * t];
-                b.mesh.V[3 * t] = b.mesh.V[3 * t + 1];
-                b.mesh.V[3 * t + 1] = keep;
+                turn_over(throw_dice(&d, b.mesh.nt));
             }
             agrees_with_the_oracle();
             if (test_has_failed()) return;
