@@ -26,7 +26,7 @@ static void examine(void) {
     CHECK_EQUAL(link_and_check(&finder), NOOK_OK);
 }
 
-static void turn_over(uint32_t first, uint32_t end) {
+static void turn_range_over(uint32_t first, uint32_t end) {
     uint32_t t;
     for (t = first; t < end; t++) {
         nook_index keep = b.mesh.V[3 * t];
@@ -93,7 +93,7 @@ static void scaled_cube(int32_t exponent, bool over) {
     uint32_t v;
     cube();
     for (v = 0; v < 8; v++) b.mesh.G[v] = nook_scaled(b.mesh.G[v], size);
-    if (over) turn_over(0, 12);
+    if (over) turn_range_over(0, 12);
     examine();
 }
 
@@ -136,7 +136,7 @@ static void one_shell_inside_out_is_named_beside_a_larger_one(void) {
     examine();
     CHECK_EQUAL(all_told(), 0);
     CHECK(nook_is_sound(&b.result));
-    turn_over(4, 8);
+    turn_range_over(4, 8);
     examine();
     CHECK_EQUAL(told[NOOK_INSIDE_OUT], 1);
     CHECK_EQUAL(all_told(), 1);
@@ -150,7 +150,7 @@ static void a_small_shell_far_from_a_large_one_keeps_its_sign(void) {
     begin_shape(0);
     add_tetrahedron(1024, -1000000);
     add_tetrahedron(0.5f, 1000000);
-    turn_over(4, 8);
+    turn_range_over(4, 8);
     examine();
     CHECK_EQUAL(told[NOOK_INSIDE_OUT], 1);
     CHECK_EQUAL(last[NOOK_INSIDE_OUT].index, 4);
