@@ -19,6 +19,9 @@ bool import_obj(imported *m, const uint8_t *data, size_t size, failure *f);
 bool import_off(imported *m, const uint8_t *data, size_t size, failure *f);
 bool import_ply(imported *m, const uint8_t *data, size_t size, failure *f);
 
+/* The vertex at x, read with this status from this line of a text, or the failure to. */
+bool import_text_vertex(imported *m, const float x[3], nook_status status, uint32_t line, failure *f);
+
 /* Whether a text looks like OBJ (some line is an OBJ statement), or like OFF (its first word). */
 bool looks_like_obj(const uint8_t *data, size_t size);
 bool looks_like_off(const uint8_t *data, size_t size);

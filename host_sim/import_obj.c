@@ -59,7 +59,6 @@ static bool read_vertex(imported *m, scan *s, failure *f) {
     float x[3];
     word w;
     nook_status status = NOOK_OK;
-    nook_point p;
     uint32_t i;
     for (i = 0; i < 3u && status == NOOK_OK; i++) {
         if (!scan_word(s, &w)) {
@@ -68,16 +67,7 @@ static bool read_vertex(imported *m, scan *s, failure *f) {
         }
         status = word_float(w, &x[i]);
     }
-    if (status == NOOK_OK) {
-        p = nook_make(x[0], x[1], x[2]);
-        status = nook_point_status(p);
-    }
-    if (status != NOOK_OK) {
-        (void)fail_at_line(f, status, NULL, s->line);
-        return fail_element(f, "vertex", m->nv);
-    }
-    import_vertex(m, p);
-    return true;
+    return import_text_vertex(m, x, status, s->line, f);
 }
 
 /* The vertex of "7", "7/1", "7//3" or "-1/2/3"; negative ones count back from the vertices so far. */

@@ -54,7 +54,6 @@ static bool read_count(scan *s, word *glued, int64_t *n, failure *f) {
 static bool read_vertex(imported *m, scan *s, failure *f) {
     float x[3];
     word w;
-    nook_point p;
     nook_status status = NOOK_OK;
     uint32_t i;
     for (i = 0; i < 3u; i++) {
@@ -65,15 +64,7 @@ static bool read_vertex(imported *m, scan *s, failure *f) {
         status = word_float(w, &x[i]);
         if (status != NOOK_OK) break;
     }
-    if (status == NOOK_OK) {
-        p = nook_make(x[0], x[1], x[2]);
-        status = nook_point_status(p);
-    }
-    if (status != NOOK_OK) {
-        (void)fail_at_line(f, status, NULL, s->line);
-        return fail_element(f, "vertex", m->nv);
-    }
-    import_vertex(m, p);
+    if (!import_text_vertex(m, x, status, s->line, f)) return false;
     (void)scan_next_line(s);
     return true;
 }

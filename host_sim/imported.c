@@ -1,5 +1,5 @@
 /* imported.c -- where importers put what they read: points, and polygons cut into triangles. */
-#include "imported.h"
+#include "import.h"
 
 #include <stdlib.h>
 
@@ -11,6 +11,20 @@ void import_vertex(imported *m, nook_point p) {
         m->G[m->nv] = p;
     }
     m->nv++;
+}
+
+bool import_text_vertex(imported *m, const float x[3], nook_status status, uint32_t line, failure *f) {
+    nook_point p = nook_make(0, 0, 0);
+    if (status == NOOK_OK) {
+        p = nook_make(x[0], x[1], x[2]);
+        status = nook_point_status(p);
+    }
+    if (status != NOOK_OK) {
+        (void)fail_at_line(f, status, NULL, line);
+        return fail_element(f, "vertex", m->nv);
+    }
+    import_vertex(m, p);
+    return true;
 }
 
 static void add_triangle(imported *m, uint32_t a, uint32_t b, uint32_t c) {
