@@ -61,24 +61,32 @@ $(eval $(call variant,clang-asan16,clang,16,$(SANITIZERS)))
 $(eval $(call variant,clang-asan32,clang,32,$(SANITIZERS)))
 
 # A board: the same tests, its startup and its memory, in each width it has room for. To add one, add a
-# folder with board.mk and board.ld. The emulator ends by itself; the limit is for a hang.
+# folder with board.mk and board.ld. A part is a program: tests/main.c with all tests, or with those of one
+# file where RAM is small; what main does not call is not linked. The emulator ends by itself; the limit is
+# for a hang.
 BOARD_ELFS :=
 BOARD_RUNS :=
+define board_part
+BOARD_ELFS += build/$(1)/$(2).elf
+BOARD_RUNS += "timeout 600 $(QEMU) -M $$(BOARD_MACHINE) -display none -monitor none -serial null -chardev stdio,id=sh \
+	-semihosting-config enable=on,target=native,chardev=sh -kernel build/$(1)/$(2).elf"
+endef
 define board_width
-build/$(1)-$(2)/%.o: CPU := $$(BOARD_CPU) -DNOOK_TEST_RAM=$$(BOARD_RAM) -DNOOK_INDEX_BITS=$(2)
+build/$(1)-$(2)/%: CPU := $$(BOARD_CPU) -DNOOK_TEST_RAM=$$(BOARD_RAM) -DNOOK_INDEX_BITS=$(2)
+build/$(1)-$(2)/%.elf: LAYOUT := boards/$(1)/board.ld
 build/$(1)-$(2)/%.o: %.c Makefile
 	@mkdir -p $$(@D)
 	$(Q)$(CROSS)gcc $(FLAGS) $$(CPU) -c $$< -o $$@
-build/$(1)-$(2)/tests.elf: CPU := $$(BOARD_CPU)
-build/$(1)-$(2)/tests.elf: LAYOUT := boards/$(1)/board.ld
-build/$(1)-$(2)/tests.elf: $(patsubst %.c,build/$(1)-$(2)/%.o,$(LIBRARY) $(TESTS) port/semihosting/nook_port.c boards/cortex_m/startup.c) \
+build/$(1)-$(2)/test_%/main.o: tests/main.c Makefile
+	@mkdir -p $$(@D)
+	$(Q)$(CROSS)gcc $(FLAGS) $$(CPU) -DNOOK_TEST_ROOM=test_$$* -c $$< -o $$@
+$$(BOARD_PARTS:%=build/$(1)-$(2)/%.elf): build/$(1)-$(2)/%.elf: build/$(1)-$(2)/%/main.o \
+		$(patsubst %.c,build/$(1)-$(2)/%.o,$(LIBRARY) $(filter-out tests/main.c,$(TESTS)) port/semihosting/nook_port.c boards/cortex_m/startup.c) \
 		boards/$(1)/board.ld boards/cortex_m/sections.ld
 	@echo "$$@"
 	$(Q)$(CROSS)gcc $$(CPU) -nostartfiles --specs=nano.specs -Lboards/cortex_m -T $$(LAYOUT) -Wl,--gc-sections $$(filter %.o,$$^) -o $$@
 	@! $(CROSS)nm $$@ | grep -E ' _*(sbrk|malloc|free|printf)(_r)?$$$$' || { echo "the heap or stdio got into $$@"; exit 1; }
-BOARD_ELFS += build/$(1)-$(2)/tests.elf
-BOARD_RUNS += "timeout 600 $(QEMU) -M $$(BOARD_MACHINE) -display none -monitor none -serial null -chardev stdio,id=sh \
-	-semihosting-config enable=on,target=native,chardev=sh -kernel build/$(1)-$(2)/tests.elf"
+$$(foreach part,$$(BOARD_PARTS),$$(eval $$(call board_part,$(1)-$(2),$$(part))))
 endef
 define board
 include boards/$(1)/board.mk

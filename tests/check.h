@@ -10,7 +10,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Bytes of RAM that tests may fill; boards set less. A test that needs more calls skip_test(). */
+/* Bytes of RAM that tests may fill; boards set less, and then arrays and meshes are smaller, by constants
+ * at the head of a file. A test that means nothing when smaller calls skip_test(). */
 #ifndef NOOK_TEST_RAM
 #define NOOK_TEST_RAM 4194304
 #endif

@@ -1,4 +1,4 @@
-/* main.c -- all rooms' tests, one after the other. */
+/* main.c -- all rooms' tests, one after the other; or those of NOOK_TEST_ROOM, where RAM is small. */
 #include "check.h"
 #include "rooms.h"
 
@@ -6,6 +6,9 @@
 
 int main(void) {
     int status;
+#ifdef NOOK_TEST_ROOM
+    NOOK_TEST_ROOM();
+#else
     test_core();
     test_number();
     test_stl();
@@ -15,6 +18,7 @@ int main(void) {
     test_verdict();
     test_worlds();
     test_corrupt();
+#endif
     status = finish_tests();
     nook_port_exit(status);
     return status;

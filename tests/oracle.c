@@ -23,8 +23,8 @@ static uint32_t corner_at(uint32_t t, uint32_t v) {
     return tip(3 * t) == v ? 3 * t : tip(3 * t + 1) == v ? 3 * t + 1 : 3 * t + 2;
 }
 
-static bool hand_on(uint32_t *one, uint32_t *other) {
-    uint32_t least = *one < *other ? *one : *other;
+static bool hand_on(uint16_t *one, uint16_t *other) {
+    uint16_t least = *one < *other ? *one : *other;
     bool changed = *one != *other;
     *one = *other = least;
     return changed;
@@ -43,7 +43,7 @@ static void judge_edges(oracle *o) {
             if (d < c) o->leads[c] = false;
             if (d != c) partner = d;
         }
-        o->O[c] = o->on_edge[c] == 2 && !same_direction(c, partner) ? partner : c;
+        o->O[c] = (uint16_t)(o->on_edge[c] == 2 && !same_direction(c, partner) ? partner : c);
         if (!o->leads[c]) continue;
         r->edges++;
         r->border_edges += o->on_edge[c] == 1;
@@ -68,8 +68,8 @@ static void judge_parts(oracle *o) {
     uint32_t c, d, nc = 3 * b.mesh.nt, end;
     bool changed = true;
     for (c = 0; c < nc; c++) {
-        o->component[c / 3] = c / 3;
-        o->fan[c] = o->loop[c] = c;
+        o->component[c / 3] = (uint16_t)(c / 3);
+        o->fan[c] = o->loop[c] = (uint16_t)c;
     }
     while (changed) {
         changed = false;
@@ -151,6 +151,7 @@ static void count_parts(oracle *o) {
 
 void judge(oracle *o) {
     memset(&o->report, 0, sizeof o->report);
+    if (!CHECK(b.mesh.nt <= ORACLE_T)) return;
     o->used_vertices = 0;
     o->report.triangles = b.mesh.nt;
     judge_edges(o);

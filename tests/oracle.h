@@ -4,17 +4,17 @@
 
 #include "shapes.h"
 
-enum { ORACLE_T = 128, ORACLE_C = 3 * ORACLE_T };
+enum { ORACLE_T = NOOK_TEST_RAM < 2000000 ? 64 : 128, ORACLE_C = 3 * ORACLE_T };
 
 typedef struct oracle {
     nook_report report; /* survey included, as if it had been asked for */
     uint32_t used_vertices;
-    uint32_t O[ORACLE_C];
-    uint32_t on_edge[ORACLE_C];   /* how many corners face the edge that this one faces */
+    uint16_t O[ORACLE_C];
+    uint16_t on_edge[ORACLE_C];   /* how many corners face the edge that this one faces */
     bool leads[ORACLE_C];         /* the smallest of them */
-    uint32_t component[ORACLE_T]; /* its first triangle */
-    uint32_t fan[ORACLE_C];       /* the smallest corner of its fan */
-    uint32_t loop[ORACLE_C];      /* of border corners: the smallest of its loop */
+    uint16_t component[ORACLE_T]; /* its first triangle */
+    uint16_t fan[ORACLE_C];       /* the smallest corner of its fan */
+    uint16_t loop[ORACLE_C];      /* of border corners: the smallest of its loop */
     bool turned[ORACLE_T];        /* conflict with the colouring shows in this triangle's component */
     bool conflict[ORACLE_T];      /* of a component, by its first triangle */
 } oracle;

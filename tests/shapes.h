@@ -5,12 +5,13 @@
 #include "check.h"
 #include "nook.h"
 
+/* All shapes fit 128 triangles; where there is room, hubs and spheres are large. */
 #if NOOK_TEST_RAM < 2000000
-enum { MOST_T = 128 };
+enum { MOST_T = 128, MOST_SHELLS = 16 };
 #elif NOOK_INDEX_BITS == 16
-enum { MOST_T = 20480 };
+enum { MOST_T = 20480, MOST_SHELLS = 64 };
 #else
-enum { MOST_T = 60000 };
+enum { MOST_T = 60000, MOST_SHELLS = 64 };
 #endif
 enum { MOST_V = MOST_T + 2 };
 
@@ -24,7 +25,7 @@ typedef struct bench {
     NOOK_MESH_ARRAYS(MOST_V, MOST_T) arrays;
     nook_index kept[3 * MOST_T]; /* V as it was before link */
     nook_index component[MOST_T], stamp[MOST_V];
-    nook_shell shell[64];
+    nook_shell shell[MOST_SHELLS];
     uint8_t Mt[NOOK_MT_BYTES(MOST_T)], Mv[NOOK_MV_BYTES(MOST_V)];
 } bench;
 extern bench b;

@@ -7,21 +7,22 @@
 static oracle truth;
 static dice d = {2463534242u};
 
-/* What a finder was told, in order. */
+/* What a finder was told, in order: of each edge once, of each triangle as a duplicate, of each component,
+ * of each vertex (at most 2 ORACLE_T here). */
+enum { MOST_TOLD = 7 * ORACLE_T };
 typedef struct told {
     uint32_t count;
-    nook_status defect[4 * ORACLE_C];
-    nook_where where[4 * ORACLE_C];
+    uint8_t defect[MOST_TOLD], kind[MOST_TOLD];
+    uint16_t index[MOST_TOLD];
 } told;
 static told heard;
 
 static void hear(void *user, nook_status defect, nook_where where) {
     told *t = (told *)user;
-    if (t->count < 4 * ORACLE_C) {
-        t->defect[t->count] = defect;
-        t->where[t->count] = where;
-    }
-    t->count++;
+    if (!CHECK(t->count < MOST_TOLD && where.index <= UINT16_MAX)) return;
+    t->defect[t->count] = (uint8_t)defect;
+    t->kind[t->count] = (uint8_t)where.kind;
+    t->index[t->count++] = (uint16_t)where.index;
 }
 
 static const nook_finder finder = {hear, &heard};
@@ -29,7 +30,7 @@ static const nook_finder finder = {hear, &heard};
 static uint32_t times_told(nook_status defect, nook_kind kind, uint32_t index) {
     uint32_t i, n = 0;
     for (i = 0; i < heard.count; i++) {
-        n += heard.defect[i] == defect && heard.where[i].kind == kind && heard.where[i].index == index;
+        n += heard.defect[i] == defect && heard.kind[i] == kind && heard.index[i] == index;
     }
     return n;
 }
@@ -304,15 +305,19 @@ static void hub_counts(uint32_t valence, bool first) {
 }
 
 static void hubs_of_any_valence_and_label_are_linked_in_few_steps(void) {
-#if NOOK_TEST_RAM < 2000000
-    skip_test("a hub of 20,000 triangles needs 700 KB");
-#else
-    uint32_t most = NOOK_INDEX_BITS == 32 ? 60000 : 20000;
-    hub_counts(most, true);
-    hub_counts(most, false);
+    hub_counts(MOST_T, true);
+    hub_counts(MOST_T, false);
     hub_counts(16, true);
     hub_counts(17, true);
-#endif
+}
+
+static void as_many_triangles_as_fit_are_linked_in_one_call(void) {
+    hub_fan(MOST_T, true);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    CHECK_EQUAL(b.result.edges, 2 * MOST_T);
+    CHECK_EQUAL(b.result.survey.components, 1);
+    CHECK_EQUAL(b.result.survey.border_loops, 1);
+    CHECK_EQUAL(b.result.euler, 1);
 }
 
 /* ---- the rules of the house ---------------------------------------------------------------------- */
@@ -348,7 +353,7 @@ static void one_unit_at_a_time_gives_the_same_as_one_call(void) {
 
 static void nothing_beyond_the_exact_arrays_is_touched(void) {
     enum { NV = 12, NT = 40 };
-    struct {
+    static struct {
         nook_point G[NV];
         uint32_t after_G;
         nook_index V[3 * NT], after_V, O[3 * NT], after_O, C[NV], after_C;
@@ -396,6 +401,9 @@ static void marks_one_short_and_null_arguments_are_refused(void) {
     CHECK_EQUAL(nook_link(NULL, &b.marks, NULL, NULL, &b.report, NULL), NOOK_NULL_ARGUMENT);
     CHECK_EQUAL(nook_link(&b.mesh, &b.marks, NULL, NULL, NULL, NULL), NOOK_NULL_ARGUMENT);
     CHECK_EQUAL(nook_link_begin(NULL, &b.mesh, &b.marks, NULL, NULL, &b.report), NOOK_NULL_ARGUMENT);
+    b.marks.Mv = NULL;
+    CHECK_EQUAL(nook_link_begin(&state, &b.mesh, &b.marks, NULL, NULL, &b.report), NOOK_NULL_ARGUMENT);
+    b.marks.Mv = b.Mv;
     b.marks.Mt = NULL;
     CHECK_EQUAL(nook_link_begin(&state, &b.mesh, &b.marks, NULL, NULL, &b.report), NOOK_NULL_ARGUMENT);
     CHECK(nook_link_step(&state, &units) != NOOK_OK);
@@ -419,11 +427,73 @@ static void shells_without_their_arrays_are_refused_when_a_survey_needs_them(voi
     b.shells.shell = NULL;
     CHECK_EQUAL(nook_survey_begin(&state, &view, NULL, &b.marks, &b.shells, NULL, &survey),
                 NOOK_NULL_ARGUMENT);
-    CHECK_EQUAL(nook_survey_begin(&state, &view, NULL, NULL, NULL, NULL, &survey), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_link(&b.mesh, &b.marks, &b.shells, NULL, &b.report, NULL), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_check(&view, &b.marks, NULL, &b.shells, NULL, &b.result), NOOK_NULL_ARGUMENT);
+}
+
+static void a_survey_without_its_arguments_is_refused(void) {
+    nook_survey_state state;
+    nook_survey survey;
+    nook_view view;
+    uint32_t units = 9;
+    octahedron();
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    view = nook_view_of(&b.mesh);
+    CHECK_EQUAL(nook_survey_begin(NULL, &view, NULL, &b.marks, NULL, NULL, &survey), NOOK_NULL_ARGUMENT);
     CHECK_EQUAL(nook_survey_begin(&state, NULL, NULL, &b.marks, NULL, NULL, &survey), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_survey_begin(&state, &view, NULL, NULL, NULL, NULL, &survey), NOOK_NULL_ARGUMENT);
     CHECK_EQUAL(nook_survey_begin(&state, &view, NULL, &b.marks, NULL, NULL, NULL), NOOK_NULL_ARGUMENT);
     b.marks.max_nv = b.mesh.nv - 1;
     CHECK_EQUAL(nook_survey_begin(&state, &view, NULL, &b.marks, NULL, NULL, &survey), NOOK_NO_CAPACITY);
+    b.marks.max_nv = b.mesh.nv;
+    b.marks.max_nt = b.mesh.nt - 1;
+    CHECK_EQUAL(nook_survey_begin(&state, &view, NULL, &b.marks, NULL, NULL, &survey), NOOK_NO_CAPACITY);
+    b.marks.max_nt = b.mesh.nt;
+    b.marks.Mv = NULL;
+    CHECK_EQUAL(nook_survey_begin(&state, &view, NULL, &b.marks, NULL, NULL, &survey), NOOK_NULL_ARGUMENT);
+    b.marks.Mv = b.Mv;
+    b.marks.Mt = NULL;
+    CHECK_EQUAL(nook_survey_begin(&state, &view, NULL, &b.marks, NULL, NULL, &survey), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_survey_step(&state, &units), NOOK_BAD_OPPOSITE);
+}
+
+static void counts_that_no_shell_has_give_no_genus(void) {
+    nook_shell shell;
+    memset(&shell, 0, sizeof shell);
+    shell.orientable = true;
+    shell.triangles = 4;
+    shell.fans = 4;
+    CHECK_EQUAL(nook_shell_genus(&shell), 0);
+    shell.fans = 5;
+    CHECK_EQUAL(nook_shell_genus(&shell), NOOK_UNKNOWN);
+}
+
+/* Two triangles that run their edge the same way, and a vertex of none. */
+static void a_finder_without_a_function_hears_nothing_and_changes_nothing(void) {
+    static const nook_finder silent = {NULL, NULL}, *const finders[] = {NULL, &silent, &finder};
+    nook_link_state state;
+    nook_report report;
+    uint32_t i, left[3];
+    heard.count = 0;
+    begin_shape(5);
+    add(0, 1, 2);
+    add(0, 1, 3);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    report = b.report;
+    CHECK_EQUAL(link_and_check(&silent), NOOK_OK);
+    edges_equal(&b.report, &report);
+    CHECK_EQUAL(b.report.incoherent_edges, 1);
+    CHECK_EQUAL(b.report.border_edges, 4);
+    CHECK_EQUAL(b.result.isolated_vertices, 1);
+    b.mesh.nt = 1; /* borders alone take no unit more, as nobody is told of them */
+    for (i = 0; i < 3; i++) {
+        CHECK_EQUAL(nook_link_begin(&state, &b.mesh, &b.marks, NULL, finders[i], &report), NOOK_OK);
+        left[i] = 1000;
+        CHECK_EQUAL(nook_link_step(&state, &left[i]), NOOK_OK);
+        CHECK_EQUAL(report.border_edges, 3);
+    }
+    CHECK_EQUAL(left[1], left[0]);
+    CHECK(left[2] < left[0]);
 }
 
 static void an_index_out_of_range_names_its_corner(void) {
@@ -491,10 +561,14 @@ static const test tests[] = {
     TEST(repeated_triangles_are_counted_whatever_their_direction),
     TEST(thousands_of_random_soups_agree_with_the_oracle),
     TEST(hubs_of_any_valence_and_label_are_linked_in_few_steps),
+    TEST(as_many_triangles_as_fit_are_linked_in_one_call),
     TEST(one_unit_at_a_time_gives_the_same_as_one_call),
     TEST(nothing_beyond_the_exact_arrays_is_touched),
     TEST(marks_one_short_and_null_arguments_are_refused),
     TEST(shells_without_their_arrays_are_refused_when_a_survey_needs_them),
+    TEST(a_survey_without_its_arguments_is_refused),
+    TEST(counts_that_no_shell_has_give_no_genus),
+    TEST(a_finder_without_a_function_hears_nothing_and_changes_nothing),
     TEST(an_index_out_of_range_names_its_corner),
     TEST(a_repeated_vertex_names_its_triangle),
     TEST(more_shells_than_room_are_counted_but_not_described),

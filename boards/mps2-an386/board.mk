@@ -3,3 +3,4 @@ BOARD_CPU := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
 BOARD_MACHINE := mps2-an386
 BOARD_RAM := 4194304
 BOARD_BITS := 16 32
+BOARD_PARTS := tests
