@@ -30,6 +30,16 @@
 #define NOOK_REQUIRE(condition) ((void)0)
 #endif
 
+/* Whether the core computes floats in float32 by itself. Exact predicates then try floats first; their
+ * answers are the same either way. */
+#ifndef NOOK_HAS_FPU
+#if (defined(__ARM_FP) && (__ARM_FP & 4)) || defined(__SSE__) || defined(__aarch64__) || defined(__riscv_flen)
+#define NOOK_HAS_FPU 1
+#else
+#define NOOK_HAS_FPU 0
+#endif
+#endif
+
 /* How an index is stored. Parameters and locals are uint32_t; nook_store() converts.
  * Corner ids run to 3T - 1, so the largest value of nook_index always stays free for "none". */
 #if NOOK_INDEX_BITS == 16

@@ -1,0 +1,51 @@
+/* nook_exact.h -- which side, which is longer, how much volume: exact for every finite float.
+ *
+ * A float determinant of nearly coplanar points has a random sign, and real meshes are full of
+ * coplanar neighbours. Here the sign is that of the real number, whatever the exponents (1e-33
+ * beside 1, subnormals, 3e38); so it is the same on every core, and f(a,b) never contradicts f(b,a).
+ * Three stages, each only if the one before could not decide:
+ *   float     with a bound on its error (Shewchuk 1997), only where the core has an FPU
+ *   integers  each coordinate of the query on its own common exponent in 32 bits, the determinant
+ *             in 96; decides nine queries of ten that the filter leaves, exact zeros included
+ *   sum       the determinant as a sum of products of three floats, added up in one fixed-point number
+ *             that spans all exponents (Kulisch)
+ * NaN and infinities must not come in (nook_check finds them); they give some sign, never a bad access.
+ * Loops: at most 24 products, each at most 27 words. Stack and instructions: README.md. */
+#ifndef NOOK_EXACT_H
+#define NOOK_EXACT_H
+
+#include "core/nook_vector.h"
+
+/* The side of the plane of a, b, c on which d lies, as a sign: +1 where a b c run counter-clockwise seen
+ * from d (d is outside, where the normal points), -1 on the other side, 0 if the four are coplanar.
+ * This is the sign of (b-a) x (c-a) . (d-a). */
+int nook_orient3d(const nook_point *a, const nook_point *b, const nook_point *c, const nook_point *d);
+
+/* The turn a -> b -> c seen against axis 0, 1, 2 (x, y, z; the coordinate that is dropped): +1 counter-
+ * clockwise, -1 clockwise, 0 if the three lie on a line there. This is the sign of that component of
+ * the normal (b-a) x (c-a). */
+int nook_orient2d(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t axis);
+
+/* The first axis along which the triangle a, b, c is seen with an area, in *axis, and orient2d there;
+ * 0 if the three lie on a line: a triangle without area. */
+int nook_facing(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t *axis);
+
+/* +1 if a is farther from b than c from d, -1 if nearer, 0 if both distances are equal. */
+int nook_compare_distances(const nook_point *a, const nook_point *b, const nook_point *c,
+                           const nook_point *d);
+
+/* The volume enclosed by triangles: six times the sum of the tetrahedra over them from the origin, exact,
+ * so the order of the triangles does not matter. For coordinates up to 2^30 and up to 2^32 triangles. */
+#define NOOK_VOLUME_WORDS 18u
+typedef struct nook_volume {
+    uint32_t word[NOOK_VOLUME_WORDS];
+} nook_volume;
+
+void nook_volume_clear(nook_volume *volume);
+void nook_volume_add(nook_volume *volume, const nook_point *a, const nook_point *b, const nook_point *c);
+void nook_volume_merge(nook_volume *volume, const nook_volume *other);
+int nook_volume_sign(const nook_volume *volume);
+/* The volume itself, a sixth of the sum, as the nearest float (below 2^-126 within one unit). */
+float nook_volume_value(const nook_volume *volume);
+
+#endif
