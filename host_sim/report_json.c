@@ -92,19 +92,23 @@ static void put_float(FILE *to, const char *name, bool known, float x) {
     }
 }
 
-static void put_point(FILE *to, const char *name, bool known, nook_point p) {
+static void put_floats(FILE *to, const char *name, bool known, const float *x, uint32_t n) {
+    uint32_t i;
     if (!known) {
         put_null(to, name);
         return;
     }
     key(to, name);
-    (void)fputc('[', to);
-    number(to, p.x);
-    (void)fputc(',', to);
-    number(to, p.y);
-    (void)fputc(',', to);
-    number(to, p.z);
+    for (i = 0; i < n; i++) {
+        (void)fputc(i == 0 ? '[' : ',', to);
+        number(to, x[i]);
+    }
     (void)fputc(']', to);
+}
+
+static void put_point(FILE *to, const char *name, bool known, nook_point p) {
+    const float x[3] = {p.x, p.y, p.z};
+    put_floats(to, name, known, x, 3);
 }
 
 /* ---- the object ------------------------------------------------------------------------------ */
@@ -143,20 +147,35 @@ static void put_counts(FILE *to, const model *m, const nook_check_result *r) {
     }
 }
 
+static void put_witness(FILE *to, const nook_geometry *g) {
+    if (g->witness_vertex == NOOK_NONE) {
+        put_null(to, "convex_witness");
+        return;
+    }
+    key(to, "convex_witness");
+    (void)fprintf(to, "{\"vertex\":%" PRIu32 ",\"triangle\":%" PRIu32 "}", g->witness_vertex,
+                  g->witness_triangle);
+}
+
 static void put_measures(FILE *to, const model *m, const nook_check_result *r) {
-    static const char *const later[] = {"self_intersections",  "t_junctions",   "concave_edges",
-                                        "convex_edges",        "flat_edges",    "folded_edges",
-                                        "zero_area_triangles", "convex_witness"};
-    size_t i;
-    bool any = m->mesh.nt != 0,
-         volume = any && r->geometry_known && r->watertight == NOOK_YES && r->oriented == NOOK_YES;
-    for (i = 0; i < sizeof later / sizeof later[0]; i++) put_null(to, later[i]);
-    put_float(to, "area", !any || r->geometry_known, any ? r->area : 0);
-    put_float(to, "signed_volume", volume, r->signed_volume);
-    put_null(to, "centroid");
-    put_null(to, "inertia");
-    put_point(to, "bbox_min", any && r->geometry_known, r->box_min);
-    put_point(to, "bbox_max", any && r->geometry_known, r->box_max);
+    const nook_geometry *g = &r->geometry;
+    bool any = m->mesh.nt != 0, known = any && g->known,
+         solid = known && r->watertight == NOOK_YES && r->oriented == NOOK_YES,
+         mass = solid && g->volume_sign != 0;
+    put_null(to, "self_intersections");
+    put_null(to, "t_junctions");
+    put_count(to, "concave_edges", solid ? g->concave_edges : NOOK_UNKNOWN);
+    put_count(to, "convex_edges", solid ? g->convex_edges : NOOK_UNKNOWN);
+    put_count(to, "flat_edges", solid ? g->flat_edges : NOOK_UNKNOWN);
+    put_count(to, "folded_edges", !any || known ? g->folded_edges : NOOK_UNKNOWN);
+    put_count(to, "zero_area_triangles", !any || known ? g->zero_area_triangles : NOOK_UNKNOWN);
+    put_witness(to, g);
+    put_float(to, "area", !any || known, any ? g->area : 0);
+    put_float(to, "signed_volume", solid, g->signed_volume);
+    put_point(to, "centroid", mass, g->centroid);
+    put_floats(to, "inertia", mass, g->inertia, 6);
+    put_point(to, "bbox_min", known, g->box_min);
+    put_point(to, "bbox_max", known, g->box_max);
     put_null(to, "hints");
 }
 

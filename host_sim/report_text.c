@@ -30,6 +30,11 @@ static const wording wordings[] = {
      "no choice of directions agrees, as on a Moebius strip"},
     {NOOK_INSIDE_OUT, "shell inside out", "shells inside out",
      "negative volume: the triangles face inwards, or bound a cavity"},
+    {NOOK_FLAT_SHELL, "flat shell", "flat shells", "no volume: the surface lies folded upon itself"},
+    {NOOK_ZERO_AREA_TRIANGLE, "triangle without area", "triangles without area",
+     "three different vertices on one line"},
+    {NOOK_FOLDED_EDGE, "folded edge", "folded edges",
+     "the two triangles there lie in one plane, one back upon the other"},
 };
 
 static wording wording_of(nook_status kind) {
@@ -82,7 +87,8 @@ static void print_unmet(FILE *to, const model *m, const verdict *v, uint32_t req
     uint32_t i;
     for (i = 0; i < PROPERTY_COUNT; i++) {
         nook_truth truth = property_of(v, m, i);
-        if ((required >> i & 1u) == 0 || truth == NOOK_YES || i == PROPERTY_COUNT - 1u) continue;
+        if ((required >> i & 1u) == 0 || truth == NOOK_YES) continue;
+        if (i == PROPERTY_COUNT - 1u && truth == NOOK_MAYBE) continue; /* said in the verdict */
         (void)fprintf(to, "%s%s%s", before, property_name(i),
                       truth != NOOK_MAYBE ? ""
                       : is_computed(i)    ? " (undefined here)"
@@ -161,14 +167,15 @@ static void print_shells(FILE *to, const verdict *v) {
 
 static void print_measures(FILE *to, const model *m, const nook_check_result *r) {
     bool solid = r->watertight == NOOK_YES && r->oriented == NOOK_YES;
-    if (!r->geometry_known || m->mesh.nt == 0) return;
-    (void)fprintf(to, "  area       %s\n", decimal_of(r->area).text);
+    if (!r->geometry.known || m->mesh.nt == 0) return;
+    (void)fprintf(to, "  area       %s\n", decimal_of(r->geometry.area).text);
     (void)fprintf(to, "  volume     %s\n",
-                  solid ? decimal_of(r->signed_volume).text : "undefined (not watertight and oriented)");
+                  solid ? decimal_of(r->geometry.signed_volume).text
+                        : "undefined (not watertight and oriented)");
     (void)fputs("  box        ", to);
-    print_point(to, r->box_min);
+    print_point(to, r->geometry.box_min);
     (void)fputs(" to ", to);
-    print_point(to, r->box_max);
+    print_point(to, r->geometry.box_max);
     (void)fputc('\n', to);
 }
 

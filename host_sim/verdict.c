@@ -23,13 +23,9 @@ static void list_dropped(verdict *v, const model *m) {
     v->defects[NOOK_REPEATED_VERTEX].count = m->degenerate;
 }
 
-static nook_truth outward(const verdict *v) {
-    uint32_t k;
-    if (v->check.watertight != NOOK_YES || v->check.oriented != NOOK_YES) return NOOK_MAYBE;
-    for (k = 0; k < v->shells.count; k++) {
-        if (!(v->shells.shell[k].signed_volume > 0)) return NOOK_NO;
-    }
-    return NOOK_YES;
+static nook_truth outward(const nook_check_result *r) {
+    if (r->watertight != NOOK_YES || r->oriented != NOOK_YES) return NOOK_MAYBE;
+    return r->geometry.inside_out_shells == 0 && r->geometry.flat_shells == 0 ? NOOK_YES : NOOK_NO;
 }
 
 static nook_status link_and_check(verdict *v, nook_mesh *mesh, const nook_marks *marks) {
@@ -62,7 +58,7 @@ bool examine(verdict *v, model *m, uint32_t max_list, failure *f) {
     v->shells.stamp = take(mesh->nv, sizeof *v->shells.stamp);
     v->shells.max_shells = mesh->nt;
     status = link_and_check(v, mesh, &marks);
-    v->outward = outward(v);
+    v->outward = outward(&v->check);
     free(marks.Mt);
     free(marks.Mv);
     return status == NOOK_OK ? true : fail(f, status, NULL);
@@ -125,16 +121,15 @@ nook_truth property_of(const verdict *v, const model *m, uint32_t property) {
     case INSIDE_OUT: return r->inside_out;
     case CLEAN: return m->degenerate != 0 ? NOOK_NO : r->clean;
     case SIMPLE: return r->simple;
-    case NO_DEGENERATE: return none(m->degenerate);
+    case CONVEX: return r->geometry.convex;
+    case NO_DEGENERATE: return none(m->degenerate + r->geometry.zero_area_triangles);
     case NO_DUPLICATE: return none(r->duplicate_triangles);
     case NO_ISOLATED: return none(r->isolated_vertices);
-    default: return NOOK_MAYBE;
+    default: return r->geometry.folded_edges != 0 ? NOOK_NO : NOOK_MAYBE; /* all that is known yet */
     }
 }
 
-bool is_computed(uint32_t property) {
-    return property != CONSISTENT && property != CONVEX && property != NO_SELF_INTERSECTION;
-}
+bool is_computed(uint32_t property) { return property != CONSISTENT && property != NO_SELF_INTERSECTION; }
 
 static bool parse_one(const char *name, size_t length, uint32_t *bits) {
     uint32_t i;
@@ -161,8 +156,9 @@ bool is_sound(const verdict *v, const model *m, uint32_t required) {
     uint32_t i;
     if (m->mesh.nt == 0) return false;
     for (i = 0; i < PROPERTY_COUNT; i++) {
-        if ((required >> i & 1u) == 0 || i == NO_SELF_INTERSECTION) continue;
-        if (property_of(v, m, i) != NOOK_YES) return false;
+        nook_truth holds = property_of(v, m, i);
+        if ((required >> i & 1u) == 0 || (i == NO_SELF_INTERSECTION && holds == NOOK_MAYBE)) continue;
+        if (holds != NOOK_YES) return false;
     }
     return true;
 }

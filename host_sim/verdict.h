@@ -40,7 +40,7 @@ bool is_computed(uint32_t property);
 bool properties_parse(const char *list, uint32_t *bits);
 
 /* The verdict: there is a triangle, and every required property holds. What is unknown does not
- * hold, but for self-intersection, which nothing computes yet. */
+ * hold, but for self-intersection, of which nothing but folded edges is known yet. */
 bool is_sound(const verdict *v, const model *m, uint32_t required);
 
 /* Whether a kind of defect decides the default verdict, or is only worth knowing. */

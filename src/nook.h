@@ -56,13 +56,17 @@ extern "C" {
 #include "core/nook_marks.h"  /* Mt and Mv */
 #include "core/nook_vector.h" /* vectors, square root, sums */
 
+/* exact: signs that rounding cannot turn */
+#include "exact/nook_exact.h" /* which side, which is longer, how much volume */
+
 /* table: from bytes to a checked mesh */
-#include "table/nook_number.h" /* decimal text to float */
-#include "table/nook_stl.h"    /* STL in chunks */
-#include "table/nook_weld.h"   /* equal vertices become one */
-#include "table/nook_link.h"   /* O and C from V */
-#include "table/nook_survey.h" /* components, fans, loops */
-#include "table/nook_check.h"  /* sound or not, and where */
+#include "table/nook_number.h"   /* decimal text to float */
+#include "table/nook_stl.h"      /* STL in chunks */
+#include "table/nook_weld.h"     /* equal vertices become one */
+#include "table/nook_link.h"     /* O and C from V */
+#include "table/nook_survey.h"   /* components, fans, loops */
+#include "table/nook_geometry.h" /* box, area, volume, mass, edges, convexity */
+#include "table/nook_check.h"    /* sound or not, and where */
 
 #ifdef __cplusplus
 }

@@ -15,7 +15,7 @@ void begin_shape(uint32_t nv) {
     b.shells.shell = b.shell;
     b.shells.component = b.component;
     b.shells.stamp = b.stamp;
-    b.shells.max_shells = sizeof b.shell / sizeof *b.shell;
+    b.shells.max_shells = MOST_SHELLS;
     b.mesh.nv = nv;
     for (v = 0; v < nv; v++) place(v, (float)(v % 7u), (float)(v % 11u), (float)v);
 }
@@ -140,6 +140,9 @@ static void projective_plane(void) { /* the least one: half an icosahedron */
 
 static void pillow(void) {
     begin_shape(3);
+    place(0, 0, 0, 0);
+    place(1, 1, 0, 0);
+    place(2, 0, 1, 0);
     add(0, 1, 2);
     add(0, 2, 1);
 }

@@ -127,7 +127,11 @@ static void back_to_back_triangles_are_duplicates(void) {
     shapes[11].build();
     forget();
     CHECK_EQUAL(link_and_check(&finder), NOOK_OK);
-    only(NOOK_DUPLICATE_TRIANGLE, 1, NOOK_AT_TRIANGLE, 1);
+    CHECK_EQUAL(found[NOOK_DUPLICATE_TRIANGLE], 1);
+    CHECK_EQUAL(place_of[NOOK_DUPLICATE_TRIANGLE].index, 1);
+    CHECK_EQUAL(found[NOOK_FOLDED_EDGE], 3);
+    CHECK_EQUAL(found[NOOK_FLAT_SHELL], 1);
+    CHECK_EQUAL(all_found(), 5);
     CHECK_EQUAL(b.result.manifold, NOOK_YES);
 }
 
@@ -142,7 +146,7 @@ static void an_unused_vertex_is_isolated_and_does_not_spoil_the_verdict(void) {
     CHECK_EQUAL(all_found(), 1);
     CHECK_EQUAL(b.result.clean, NOOK_NO);
     CHECK_EQUAL(b.result.euler, 2);
-    CHECK(b.result.box_max.x == 1);
+    CHECK(b.result.geometry.box_max.x == 1);
     CHECK(nook_is_sound(&b.result));
 }
 
@@ -169,7 +173,7 @@ static void an_inside_out_shell_has_negative_volume(void) {
     CHECK_EQUAL(link_and_check(&finder), NOOK_OK);
     only(NOOK_INSIDE_OUT, 1, NOOK_AT_TRIANGLE, 0);
     CHECK_EQUAL(b.result.inside_out, NOOK_YES);
-    CHECK(b.result.signed_volume == -1.0f);
+    CHECK(b.result.geometry.signed_volume == -1.0f);
     CHECK(b.shell[0].signed_volume == -1.0f);
     forget(); /* without shells it is told once for the whole */
     {
@@ -191,7 +195,7 @@ static void a_mesh_without_triangles_is_empty_and_not_sound(void) {
     CHECK_EQUAL(b.result.oriented, NOOK_YES);
     CHECK_EQUAL(b.result.survey.orientable, NOOK_YES);
     CHECK_EQUAL(b.result.survey.border_loops, 0);
-    CHECK(b.result.area == 0);
+    CHECK(b.result.geometry.area == 0);
     CHECK(!nook_is_sound(&b.result));
 }
 
@@ -212,7 +216,7 @@ static void a_coordinate_that_is_no_number_names_its_vertex(void) {
         CHECK_EQUAL(link_and_check(&finder), NOOK_OK);
         only(expected, 1, NOOK_AT_VERTEX, 4);
         CHECK_EQUAL(b.result.bad_coordinates, 1);
-        CHECK_EQUAL(b.result.geometry_known, false);
+        CHECK_EQUAL(b.result.geometry.known, false);
         CHECK_EQUAL(b.result.manifold, NOOK_YES);
     }
     octahedron();
@@ -427,6 +431,21 @@ static void a_report_that_does_not_fit_the_tables_is_not_believed(void) {
         CHECK_EQUAL(check_as_it_is(&b.report), NOOK_OK);
         CHECK_EQUAL(b.result.manifold, NOOK_MAYBE);
     }
+    /* Nor one whose counts add up only because sums wrap around, or that has an edge of no corner. */
+    for (i = 0; i < 6; i++) {
+        nook_report *r = &b.report;
+        CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+        if (i == 1 || i >= 4) r->incoherent_edges = 1;
+        if (i == 1) r->border_edges = r->odd_edges = 0u - 2u;
+        if (i == 2) r->matched_edges += 0x80000000u;
+        if (i == 3) r->incoherent_edges = 0x80000000u;
+        if (i == 4) r->nonmanifold_edges = 0xAAAAAAAAu;
+        r->edges = r->border_edges + r->matched_edges + r->incoherent_edges + r->nonmanifold_edges;
+        if (i == 0) r->edges = NOOK_UNKNOWN;
+        CHECK_EQUAL(check_as_it_is(&b.report), NOOK_OK);
+        CHECK_EQUAL(b.result.edges, NOOK_UNKNOWN);
+        CHECK_EQUAL(b.result.manifold, NOOK_MAYBE);
+    }
 }
 
 static void shells_one_by_one_must_not_be_inside_out(void) {
@@ -437,22 +456,24 @@ static void shells_one_by_one_must_not_be_inside_out(void) {
     CHECK_EQUAL(link_and_check(&finder), NOOK_OK);
     only(NOOK_INSIDE_OUT, 1, NOOK_AT_TRIANGLE, 0);
     CHECK_EQUAL(b.result.inside_out, NOOK_NO);
-    CHECK_EQUAL(b.result.inside_out_shells, 1);
+    CHECK_EQUAL(b.result.geometry.inside_out_shells, 1);
     b.shells.count = 1000; /* garbage from the caller */
     CHECK_EQUAL(check_as_it_is(&b.report), NOOK_OK);
     CHECK(b.shells.count <= b.shells.max_shells);
 }
 
-static void a_volume_of_nothing_is_not_inside_out(void) {
+static void a_volume_of_nothing_is_flat_and_not_inside_out(void) {
     nook_view view;
     shapes[11].build(); /* two triangles back to back */
     CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
     view = nook_view_of(&b.mesh);
     forget();
     CHECK_EQUAL(nook_check(&view, &b.marks, &b.report, NULL, &finder, &b.result), NOOK_OK);
-    CHECK(b.result.signed_volume == 0);
+    CHECK(b.result.geometry.signed_volume == 0);
     CHECK_EQUAL(b.result.inside_out, NOOK_NO);
-    CHECK_EQUAL(all_found(), 0);
+    CHECK_EQUAL(found[NOOK_FLAT_SHELL], 1);
+    CHECK_EQUAL(found[NOOK_FOLDED_EDGE], 3);
+    CHECK_EQUAL(all_found(), 4);
 }
 
 /* Marks that change while a check runs: any answer, but in time and in bounds. */
@@ -483,6 +504,7 @@ static void marks_spoiled_on_the_way_end_in_time(void) {
 static void a_report_of_another_mesh_and_missing_arguments_are_refused(void) {
     nook_check_state state;
     nook_view view;
+    uint32_t units = 9;
     octahedron();
     CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
     view = nook_view_of(&b.mesh);
@@ -499,8 +521,13 @@ static void a_report_of_another_mesh_and_missing_arguments_are_refused(void) {
     CHECK_EQUAL(nook_check_begin(&state, &view, NULL, NULL, NULL, NULL, &b.result), NOOK_NULL_ARGUMENT);
     CHECK_EQUAL(nook_check_begin(&state, &view, &b.marks, NULL, NULL, NULL, NULL), NOOK_NULL_ARGUMENT);
     CHECK_EQUAL(nook_check_begin(NULL, &view, &b.marks, NULL, NULL, NULL, &b.result), NOOK_NULL_ARGUMENT);
+    b.marks.Mt = NULL;
+    CHECK_EQUAL(nook_check_begin(&state, &view, &b.marks, NULL, NULL, NULL, &b.result), NOOK_NULL_ARGUMENT);
+    b.marks.Mt = b.Mt;
     b.marks.Mv = NULL;
     CHECK_EQUAL(nook_check_begin(&state, &view, &b.marks, NULL, NULL, NULL, &b.result), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_check_step(&state, &units), NOOK_BAD_OPPOSITE);
+    CHECK_EQUAL(units, 9);
 }
 
 /* ---- truth values on every surface --------------------------------------------------------------------- */
@@ -549,26 +576,26 @@ static void move_cube(float size, float x, float y, float z) {
 
 static void a_cube_has_six_sides_and_one_volume_wherever_it_stands(void) {
     move_cube(1, 0, 0, 0);
-    CHECK(b.result.area == 6);
-    CHECK(b.result.signed_volume == 1);
-    CHECK(b.result.box_min.x == 0 && b.result.box_max.z == 1);
+    CHECK(b.result.geometry.area == 6);
+    CHECK(b.result.geometry.signed_volume == 1);
+    CHECK(b.result.geometry.box_min.x == 0 && b.result.geometry.box_max.z == 1);
     CHECK(b.shell[0].signed_volume == 1);
     move_cube(1, 1000000, -2000000, 500000);
-    CHECK(b.result.area == 6);
-    CHECK(b.result.signed_volume == 1);
+    CHECK(b.result.geometry.area == 6);
+    CHECK(b.result.geometry.signed_volume == 1);
     move_cube(1048576, 0, 0, -1048576.0f * 1023);
-    CHECK(b.result.signed_volume == 1048576.0f * 1048576.0f * 1048576.0f);
+    CHECK(b.result.geometry.signed_volume == 1048576.0f * 1048576.0f * 1048576.0f);
     move_cube(2 * NOOK_MAX_COORDINATE, -NOOK_MAX_COORDINATE, -NOOK_MAX_COORDINATE, -NOOK_MAX_COORDINATE);
-    CHECK(close_to(b.result.area, 24 * NOOK_MAX_COORDINATE * NOOK_MAX_COORDINATE, 1e-6f));
+    CHECK(close_to(b.result.geometry.area, 24 * NOOK_MAX_COORDINATE * NOOK_MAX_COORDINATE, 1e-6f));
     CHECK_EQUAL(b.result.inside_out, NOOK_NO);
 }
 
 static void a_tiny_cube_keeps_its_area_and_the_sign_of_its_volume(void) {
     move_cube(1e-12f, 0, 0, 0);
-    CHECK(close_to(b.result.area, 6e-24f, 1e-6f));
-    CHECK(close_to(b.result.signed_volume, 1e-36f, 1e-6f));
+    CHECK(close_to(b.result.geometry.area, 6e-24f, 1e-6f));
+    CHECK(close_to(b.result.geometry.signed_volume, 1e-36f, 1e-6f));
     move_cube(1e-15f, 0, 0, 0);
-    CHECK(close_to(b.result.area, 6e-30f, 1e-6f));
+    CHECK(close_to(b.result.geometry.area, 6e-30f, 1e-6f));
 }
 
 static void a_cube_too_small_for_its_volume_still_shows_that_it_is_inside_out(void) {
@@ -584,15 +611,40 @@ static void a_cube_too_small_for_its_volume_still_shows_that_it_is_inside_out(vo
 static void an_octahedron_has_the_area_and_volume_of_the_formula(void) {
     octahedron();
     CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
-    CHECK(close_to(b.result.area, 6.92820323f, 2e-7f)); /* 4 sqrt 3 */
-    CHECK(close_to(b.result.signed_volume, 1.33333333f, 2e-7f));
+    CHECK(close_to(b.result.geometry.area, 6.92820323f, 2e-7f)); /* 4 sqrt 3 */
+    CHECK(close_to(b.result.geometry.signed_volume, 1.33333333f, 2e-7f));
 }
 
 static void a_fine_sphere_comes_close_to_a_ball(void) {
     icosphere(2);
     CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
-    CHECK(b.result.area < 12.56637f && b.result.area > 11.0f);
-    CHECK(b.result.signed_volume < 4.18879f && b.result.signed_volume > 3.4f);
+    CHECK(b.result.geometry.area < 12.56637f && b.result.geometry.area > 11.0f);
+    CHECK(b.result.geometry.signed_volume < 4.18879f && b.result.geometry.signed_volume > 3.4f);
+}
+
+/* Shuffled spheres, link, roots and sums: a PC, cores with an FPU and without, and both widths of indices
+ * must agree to the bit. The largest is left out where it has no room. */
+static void spheres_have_the_same_bits_on_every_machine(void) {
+    static const struct {
+        uint32_t levels, digest, area, volume;
+    } known[] = {
+        {1, 0xFEE2C992u, 0x4126AF1Cu, 0x403C56FBu},
+        {2, 0xC308D1F2u, 0x413F473Cu, 0x407455AEu},
+        {5, 0x30B73952u, 0x4148E6EAu, 0x4085D811u},
+    };
+    uint32_t i;
+    for (i = 0; i < 3 && 8u << 2 * known[i].levels <= MOST_T; i++) {
+        dice fixed = {2166136261u};
+        nook_view view;
+        icosphere(known[i].levels);
+        shuffle(&fixed);
+        CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+        CHECK(nook_is_sound(&b.result));
+        view = nook_view_of(&b.mesh);
+        CHECK_EQUAL(nook_digest(&view), known[i].digest);
+        CHECK_EQUAL(nook_float_bits(b.result.geometry.area), known[i].area);
+        CHECK_EQUAL(nook_float_bits(b.result.geometry.signed_volume), known[i].volume);
+    }
 }
 
 static void shells_have_volumes_of_their_own_and_keep_them_when_checked_again(void) {
@@ -603,7 +655,7 @@ static void shells_have_volumes_of_their_own_and_keep_them_when_checked_again(vo
         CHECK_EQUAL(b.shells.count, 2);
         CHECK(close_to(b.shell[0].signed_volume, 1.0f / 6, 1e-5f));
         CHECK(close_to(b.shell[1].signed_volume, 8.0f / 6, 1e-5f));
-        CHECK(close_to(b.result.signed_volume, 1.5f, 1e-6f));
+        CHECK(close_to(b.result.geometry.signed_volume, 1.5f, 1e-6f));
         CHECK_EQUAL(check_as_it_is(&b.report), NOOK_OK);
     }
 }
@@ -629,7 +681,8 @@ static void one_unit_at_a_time_gives_the_same_as_one_call(void) {
             status = nook_check_step(&state, &units);
         } while (status == NOOK_MORE);
         CHECK_EQUAL(status, NOOK_OK);
-        CHECK(whole.area == b.result.area && whole.signed_volume == b.result.signed_volume);
+        CHECK(whole.geometry.area == b.result.geometry.area &&
+              whole.geometry.signed_volume == b.result.geometry.signed_volume);
         CHECK_EQUAL(whole.euler, b.result.euler);
         CHECK_EQUAL(whole.manifold, b.result.manifold);
         CHECK_EQUAL(whole.survey.fans, b.result.survey.fans);
@@ -661,7 +714,7 @@ static const test tests[] = {
     TEST(a_defective_mesh_linked_without_marks_stays_unknown),
     TEST(a_report_that_does_not_fit_the_tables_is_not_believed),
     TEST(shells_one_by_one_must_not_be_inside_out),
-    TEST(a_volume_of_nothing_is_not_inside_out),
+    TEST(a_volume_of_nothing_is_flat_and_not_inside_out),
     TEST(marks_spoiled_on_the_way_end_in_time),
     TEST(a_report_of_another_mesh_and_missing_arguments_are_refused),
     TEST(derived_properties_follow_the_oracle_on_all_surfaces),
@@ -670,6 +723,7 @@ static const test tests[] = {
     TEST(a_cube_too_small_for_its_volume_still_shows_that_it_is_inside_out),
     TEST(an_octahedron_has_the_area_and_volume_of_the_formula),
     TEST(a_fine_sphere_comes_close_to_a_ball),
+    TEST(spheres_have_the_same_bits_on_every_machine),
     TEST(shells_have_volumes_of_their_own_and_keep_them_when_checked_again),
     TEST(one_unit_at_a_time_gives_the_same_as_one_call),
 };

@@ -70,7 +70,7 @@ static const nook_finder finder = {hear, NULL};
 
 /* The bounds that nook_survey.h and nook_check.h state. */
 static uint32_t survey_bound(void) { return 25 * mesh.nt + 3 * mesh.nv + 19; }
-static uint32_t check_bound(void) { return 34 * mesh.nt + 8 * mesh.nv + 19; }
+static uint32_t check_bound(void) { return (uint32_t)NOOK_CHECK_UNITS(mesh.nt, mesh.nv, mesh.nt); }
 
 /* Check one unit at a time; change() is called between units. */
 static void check_by_units(const nook_report *with, void (*change)(void)) {
@@ -145,7 +145,7 @@ static void compare_with_plain_counts(void) {
     CHECK(!nook_is_sound(&result));
     if (indices != 0) {
         CHECK(result.manifold != NOOK_YES);
-        CHECK(!result.geometry_known);
+        CHECK(!result.geometry.known);
         return;
     }
     for (t = 0; t < mesh.nt; t++) repeated += is_repeated(t);
@@ -207,7 +207,7 @@ static void every_flipped_bit_of_a_coordinate_is_judged_alone(void) {
                 CHECK_EQUAL(result.bad_coordinates, size > 0x4E800000u); /* 2^30 */
                 CHECK_EQUAL(heard[NOOK_NOT_FINITE], size >= 0x7F800000u);
                 CHECK_EQUAL(heard[NOOK_COORDINATE_TOO_LARGE], size > 0x4E800000u && size < 0x7F800000u);
-                CHECK_EQUAL(result.geometry_known, size <= 0x4E800000u);
+                CHECK_EQUAL(result.geometry.known, size <= 0x4E800000u);
                 CHECK(result.manifold == NOOK_YES);
                 mesh.G[v] = keep;
             }
@@ -310,6 +310,117 @@ static void a_survey_of_a_false_O_ends_and_says_so(void) {
     CHECK(refused > 0);
 }
 
+/* ---- a survey of tables that change under it -------------------------------------------------------------- */
+
+static const uint8_t strip[] = {0, 1, 2, 2, 1, 3};
+static const uint8_t cap[] = {0, 1, 3, 1, 2, 3, 2, 0, 3};
+static const uint8_t pillow[] = {0, 1, 2, 0, 2, 1};
+static const uint8_t three_pages[] = {0, 1, 2, 0, 1, 3, 0, 1, 4};
+static nook_index whole_V[NC], whole_O[NC];
+
+/* Three corners on one edge, in a ring as link leaves them to the survey. */
+static void ring_of_pages(void) {
+    uint32_t t;
+    for (t = 0; t < 3; t++) mesh.O[3 * t + 2] = nook_store((3 * t + 5) % 9);
+}
+
+static void restore(void) {
+    memcpy(mesh.V, whole_V, 3 * mesh.nt * sizeof *whole_V);
+    memcpy(mesh.O, whole_O, 3 * mesh.nt * sizeof *whole_O);
+}
+
+/* Survey the whole tables, in which *first becomes `value` (and *second `other`) after that many units. */
+static nook_status survey_changed(bool rings, uint32_t after, nook_index *first, nook_index value,
+                                  nook_index *second, nook_index other) {
+    nook_survey_state state;
+    nook_survey survey;
+    nook_view view = nook_view_of(&mesh);
+    nook_status status = NOOK_MORE;
+    uint32_t spent = 0, units;
+    restore();
+    CHECK_EQUAL(nook_survey_begin(&state, &view, rings ? mesh.O : NULL, &marks, &shells, &finder, &survey),
+                NOOK_OK);
+    for (; status == NOOK_MORE && spent <= survey_bound(); spent += 1 - units) {
+        if (spent == after) {
+            *first = value;
+            *second = other;
+        }
+        units = 1;
+        status = nook_survey_step(&state, &units);
+    }
+    CHECK(status == NOOK_OK || status == NOOK_BAD_OPPOSITE);
+    CHECK(spent <= survey_bound());
+    CHECK(survey.components <= mesh.nt && survey.fans <= 3 * mesh.nt);
+    CHECK(rings || survey.border_loops <= 3 * mesh.nt);
+    restore();
+    return status;
+}
+
+/* Any one entry of V or O takes any value of interest before any unit. */
+static void change_any_entry(bool rings) {
+    uint32_t after, i, k, refused = 0, nc = 3 * mesh.nt;
+    memcpy(whole_V, mesh.V, nc * sizeof *whole_V);
+    memcpy(whole_O, mesh.O, nc * sizeof *whole_O);
+    for (after = 0; after <= survey_bound() && !test_has_failed(); after++) {
+        for (i = 0; i < nc; i++) {
+            for (k = 0; k <= nc + 1; k++) {
+                nook_index value = k > nc ? NOOK_STORED_NONE : nook_store(k);
+                nook_index *O = &mesh.O[i], *V = &mesh.V[i];
+                refused += survey_changed(rings, after, O, value, O, value) != NOOK_OK;
+                if (k <= mesh.nv) refused += survey_changed(rings, after, V, value, V, value) != NOOK_OK;
+            }
+        }
+    }
+    CHECK(refused > 0);
+}
+
+static void a_survey_ends_whichever_entry_changes_and_whenever(void) {
+    begin_tables(4, 2);
+    set_V(strip);
+    link_whole();
+    change_any_entry(false);
+    begin_tables(4, 3);
+    set_V(cap);
+    link_whole();
+    change_any_entry(false);
+    begin_tables(5, 3);
+    set_V(three_pages);
+    link_whole();
+    ring_of_pages();
+    change_any_entry(true);
+}
+
+/* Two triangles back to back, open at one edge: when that closes while the border is being followed, the
+ * walk about its end never comes to a border again. */
+static void a_walk_that_a_change_makes_endless_is_ended(void) {
+    uint32_t after, refused = 0;
+    begin_tables(3, 2);
+    set_V(pillow);
+    link_whole();
+    CHECK_EQUAL(mesh.O[0], 3);
+    mesh.O[0] = 0;
+    mesh.O[3] = 3;
+    memcpy(whole_V, mesh.V, 6 * sizeof *whole_V);
+    memcpy(whole_O, mesh.O, 6 * sizeof *whole_O);
+    for (after = 0; after <= survey_bound(); after++) {
+        refused += survey_changed(false, after, &mesh.O[0], 3, &mesh.O[3], 0) == NOOK_BAD_OPPOSITE;
+    }
+    CHECK(refused > 0);
+}
+
+static void a_vertex_out_of_range_ends_the_survey(void) {
+    uint32_t c;
+    begin_tables(6, 8);
+    set_V(octahedron);
+    link_whole();
+    memcpy(whole_V, mesh.V, sizeof octahedron * sizeof *whole_V);
+    memcpy(whole_O, mesh.O, sizeof octahedron * sizeof *whole_O);
+    CHECK_EQUAL(survey_changed(false, 0, &mesh.V[0], 0, &mesh.V[0], 0), NOOK_OK);
+    for (c = 0; c < 24; c++) {
+        CHECK_EQUAL(survey_changed(false, 0, &mesh.V[c], 6, &mesh.V[c], 6), NOOK_BAD_OPPOSITE);
+    }
+}
+
 /* ---- link on any bits ----------------------------------------------------------------------------------- */
 
 static void link_takes_any_V_and_names_what_is_wrong(void) {
@@ -338,6 +449,24 @@ static void link_takes_any_V_and_names_what_is_wrong(void) {
     }
 }
 
+/* Three pages are surveyed inside link, and then no entry of O names a corner. */
+static void link_says_so_when_its_survey_finds_O_spoiled(void) {
+    nook_link_state state;
+    nook_status status = NOOK_MORE;
+    uint32_t calls, units;
+    begin_tables(5, 3);
+    set_V(three_pages);
+    CHECK_EQUAL(nook_link_begin(&state, &mesh, &marks, &shells, NULL, &report), NOOK_OK);
+    for (calls = 0; status == NOOK_MORE && calls < 500; calls++) {
+        units = 1;
+        status = nook_link_step(&state, &units);
+        if (shells.count != 0) memset(mesh.O, 0xFF, 9 * sizeof *mesh.O); /* the first triangle is entered */
+    }
+    CHECK_EQUAL(status, NOOK_BAD_OPPOSITE);
+    CHECK_EQUAL(state.where.kind, NOOK_NOWHERE);
+    CHECK_EQUAL(nook_link_step(&state, &units), NOOK_BAD_OPPOSITE);
+}
+
 static const test tests[] = {
     TEST(every_flipped_bit_is_counted_where_it_is),
     TEST(every_flipped_bit_of_a_coordinate_is_judged_alone),
@@ -345,7 +474,11 @@ static const test tests[] = {
     TEST(a_few_wrong_entries_are_counted_as_by_plain_loops),
     TEST(a_check_ends_though_O_changes_under_it),
     TEST(a_survey_of_a_false_O_ends_and_says_so),
+    TEST(a_survey_ends_whichever_entry_changes_and_whenever),
+    TEST(a_walk_that_a_change_makes_endless_is_ended),
+    TEST(a_vertex_out_of_range_ends_the_survey),
     TEST(link_takes_any_V_and_names_what_is_wrong),
+    TEST(link_says_so_when_its_survey_finds_O_spoiled),
 };
 
 void test_corrupt(void) { run_tests(tests, sizeof tests / sizeof *tests); }

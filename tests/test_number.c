@@ -326,6 +326,29 @@ static void thousands_of_zeros_change_nothing(void) {
     expect_bits(0x3DCCCCCDu);
 }
 
+/* As if the digits before had been pushed: 2^30 of them take too long on a board. */
+static void a_thousand_million_digits_do_not_wrap_the_power_of_ten(void) {
+    nook_number number;
+    float value = 7.0f;
+    uint32_t i;
+    nook_number_begin(&number);
+    for (i = 0; i < 116; i++) CHECK_EQUAL(nook_number_push(&number, '1'), NOOK_OK);
+    CHECK_EQUAL(number.scale, 1);
+    number.scale = 0x3FFFFFFE;
+    for (i = 0; i < 3; i++) CHECK_EQUAL(nook_number_push(&number, '0'), NOOK_OK);
+    CHECK_EQUAL(number.scale, 0x3FFFFFFF);
+    CHECK_EQUAL(nook_number_value(&number, &value), NOOK_NOT_FINITE);
+
+    nook_number_begin(&number);
+    CHECK_EQUAL(nook_number_push(&number, '.'), NOOK_OK);
+    number.scale = -0x3FFFFFFE;
+    for (i = 0; i < 3; i++) CHECK_EQUAL(nook_number_push(&number, '0'), NOOK_OK);
+    CHECK_EQUAL(nook_number_push(&number, '1'), NOOK_OK);
+    CHECK_EQUAL(number.scale, -0x3FFFFFFF);
+    CHECK_EQUAL(nook_number_value(&number, &value), NOOK_OK);
+    CHECK_EQUAL(nook_float_bits(value), 0);
+}
+
 static void thousands_of_digits_are_read_to_the_last(void) {
     start_text();
     add_text("0.");
@@ -614,6 +637,7 @@ static const test tests[] = {
     TEST(a_number_can_be_valued_after_every_byte),
     TEST(thousands_of_zeros_change_nothing),
     TEST(thousands_of_digits_are_read_to_the_last),
+    TEST(a_thousand_million_digits_do_not_wrap_the_power_of_ten),
     TEST(an_exact_expansion_comes_back_as_its_float),
     TEST(an_exact_midpoint_goes_to_the_even_neighbour),
     TEST(a_midpoint_with_one_more_digit_goes_up),

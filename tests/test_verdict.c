@@ -72,9 +72,19 @@ static void every_field_that_decides_can_spoil_the_verdict_alone(void) {
     CHECK(!sound_after());
     b.result.oriented = NOOK_MAYBE;
     CHECK(!sound_after());
-    b.result.inside_out = NOOK_YES;
+    b.result.geometry.known = false;
     CHECK(!sound_after());
-    b.result.inside_out = NOOK_MAYBE;
+    b.result.geometry.volume_sign = 0;
+    CHECK(!sound_after());
+    b.result.geometry.volume_sign = -1;
+    CHECK(!sound_after());
+    b.result.geometry.inside_out_shells = 1;
+    CHECK(!sound_after());
+    b.result.geometry.flat_shells = 1;
+    CHECK(!sound_after());
+    b.result.geometry.zero_area_triangles = 1;
+    CHECK(!sound_after());
+    b.result.geometry.folded_edges = 1;
     CHECK(!sound_after());
 }
 
@@ -106,8 +116,8 @@ static void a_cube_of_any_size_knows_its_inside(void) {
         scaled_cube(exponent, false);
         CHECK(nook_is_sound(&b.result));
         CHECK_EQUAL(all_told(), 0);
-        CHECK_EQUAL(nook_float_bits(b.result.signed_volume), volume);
-        CHECK(b.result.area == 6.0f * nook_float_from((uint32_t)(127 + 2 * exponent) << 23));
+        CHECK_EQUAL(nook_float_bits(b.result.geometry.signed_volume), volume);
+        CHECK(b.result.geometry.area == 6.0f * nook_float_from((uint32_t)(127 + 2 * exponent) << 23));
         scaled_cube(exponent, true);
         CHECK(!nook_is_sound(&b.result));
         CHECK(b.result.inside_out == NOOK_YES);
@@ -239,8 +249,10 @@ static void the_box_holds_what_triangles_use_and_nothing_else(void) {
     place(6, -50, 70, 1000000);
     place(7, 3, -3, -3);
     examine();
-    CHECK(b.result.box_min.x == -1 && b.result.box_min.y == -1 && b.result.box_min.z == -1);
-    CHECK(b.result.box_max.x == 1 && b.result.box_max.y == 1 && b.result.box_max.z == 1);
+    CHECK(b.result.geometry.box_min.x == -1 && b.result.geometry.box_min.y == -1 &&
+          b.result.geometry.box_min.z == -1);
+    CHECK(b.result.geometry.box_max.x == 1 && b.result.geometry.box_max.y == 1 &&
+          b.result.geometry.box_max.z == 1);
     CHECK_EQUAL(told[NOOK_ISOLATED_VERTEX], 2);
 }
 
@@ -250,13 +262,14 @@ static void a_shuffled_surface_keeps_its_verdict_area_and_volume(void) {
     float area, volume;
     cube();
     examine();
-    area = b.result.area;
-    volume = b.result.signed_volume;
+    area = b.result.geometry.area;
+    volume = b.result.geometry.signed_volume;
     for (i = 0; i < 50; i++) {
         shuffle(&d);
         examine();
         CHECK(nook_is_sound(&b.result));
-        CHECK(b.result.area == area && b.result.signed_volume == volume); /* sums of halves: exact */
+        CHECK(b.result.geometry.area == area &&
+              b.result.geometry.signed_volume == volume); /* sums of halves: exact */
     }
 }
 

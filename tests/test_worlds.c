@@ -271,6 +271,7 @@ static void compare_shell(const nook_shell *s, uint32_t first) {
     CHECK_EQUAL(s->has_nonmanifold_edge, many > 0);
     closed = border == 0 && many == 0 && incoherent == 0;
     CHECK_EQUAL(told(NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, first), closed && volume_of(first) < 0);
+    CHECK_EQUAL(told(NOOK_FLAT_SHELL, NOOK_AT_TRIANGLE, first), closed && volume_of(first) == 0);
     if (many > 0) {
         CHECK_EQUAL(nook_shell_genus(s), NOOK_UNKNOWN);
         return;
@@ -317,17 +318,23 @@ static void compare_shells(void) {
 
 static void compare_verdict(void) {
     bool closed = result.watertight == NOOK_YES && result.oriented == NOOK_YES;
+    bool positive = true;
     int32_t volume = 0;
     uint32_t t, named;
-    for (t = 0; t < mesh.nt; t++) volume += piece[t] == t ? volume_of(t) : 0;
+    for (t = 0; t < mesh.nt; t++) {
+        volume += piece[t] == t ? volume_of(t) : 0;
+        positive = positive && volume_of(piece[t]) > 0;
+    }
     if (!closed) CHECK(result.inside_out == NOOK_MAYBE);
     if (closed) CHECK((result.inside_out == NOOK_YES) == (volume < 0) && result.inside_out != NOOK_MAYBE);
-    CHECK_EQUAL(nook_is_sound(&result),
-                closed && result.manifold == NOOK_YES && volume >= 0 && report.duplicate_triangles == 0);
+    CHECK_EQUAL(nook_is_sound(&result), closed && result.manifold == NOOK_YES && positive &&
+                                            report.duplicate_triangles == 0 &&
+                                            told_in_all(NOOK_FOLDED_EDGE) == 0);
     named =
         report.border_edges + report.incoherent_edges + report.nonmanifold_edges + report.duplicate_triangles;
     named += result.survey.nonmanifold_vertices + result.isolated_vertices + told_in_all(NOOK_NOT_ORIENTABLE);
-    named += told_in_all(NOOK_INSIDE_OUT) + told_in_all(NOOK_EMPTY_MESH);
+    named += told_in_all(NOOK_INSIDE_OUT) + told_in_all(NOOK_FLAT_SHELL) + told_in_all(NOOK_EMPTY_MESH);
+    named += result.geometry.folded_edges + result.geometry.zero_area_triangles;
     CHECK_EQUAL(heard.count, named);
     CHECK_EQUAL(told_in_all(NOOK_EMPTY_MESH), mesh.nt == 0);
     CHECK_EQUAL(result.bad_indices + result.bad_opposites + result.bad_corners + result.bad_coordinates, 0);
@@ -366,7 +373,7 @@ static void work(uint32_t cut) {
         calls++;
     } while (status == NOOK_MORE && calls < 4000);
     CHECK_EQUAL(status, NOOK_OK);
-    CHECK(spent < 34 * mesh.nt + 8 * mesh.nv + 20);
+    CHECK(spent <= NOOK_CHECK_UNITS(mesh.nt, mesh.nv, result.geometry.zero_area_triangles));
 }
 
 static uint32_t worlds;

@@ -34,7 +34,10 @@ typedef enum nook_status {
     NOOK_NONMANIFOLD_EDGE,   /* an edge with three or more triangles. where: the corner */
     NOOK_NONMANIFOLD_VERTEX, /* triangles around it form more than one fan. where: the vertex */
     NOOK_NOT_ORIENTABLE, /* no choice of directions agrees, as on a Moebius strip. where: the corner where it shows */
-    NOOK_INSIDE_OUT, /* a closed, oriented shell of negative volume. where: its first triangle */
+    NOOK_INSIDE_OUT,         /* a closed, oriented shell of negative volume. where: its first triangle */
+    NOOK_FLAT_SHELL,         /* the same of no volume: it folds onto itself. where: its first triangle */
+    NOOK_ZERO_AREA_TRIANGLE, /* three different vertices on one line. where: the triangle */
+    NOOK_FOLDED_EDGE, /* its two triangles are in one plane, one back upon the other. where: the corner */
 
     /* Bytes that cannot be read. where: the byte, or the line of a text format */
     NOOK_BAD_NUMBER,     /* not a decimal number */

@@ -1,25 +1,12 @@
 /* nook_check.c -- every defect of a mesh, with its place, over const tables.
  *
  * The order makes each pass safe: coordinates; V in range; then O and C, which need V; then the
- * survey, which needs all three; then measures, which need V and finite coordinates. */
+ * survey and the geometry, which need all of them. */
 #include "table/nook_check.h"
 
 #include <string.h>
 
-enum phase {
-    POINTS,
-    INDICES,
-    MARKS,
-    CORNERS,
-    VERTICES,
-    SURVEY,
-    BOX,
-    ZERO,
-    MEASURE,
-    SHELLS,
-    FINISHED,
-    FAILED
-};
+enum phase { POINTS, INDICES, MARKS, CORNERS, VERTICES, SURVEY, GEOMETRY, FINISHED, FAILED };
 
 /* ---- tables ----------------------------------------------------------------------------------- */
 
@@ -115,10 +102,14 @@ static bool report_fits(const nook_check_state *s) {
 }
 
 /* After the survey, or without it: conclude, and go on to what can be measured. */
-static void conclude(nook_check_state *s) {
+static nook_status conclude(nook_check_state *s) {
     nook_check_result *r = s->result;
-    if (s->report != NULL && tables_are_good(r)) copy_report(r, s->report);
-    s->phase = r->bad_coordinates == 0 && r->bad_corners == 0 ? BOX : FINISHED;
+    bool good = tables_are_good(r), closed;
+    s->phase = good && r->bad_coordinates == 0 ? GEOMETRY : FINISHED;
+    if (s->report != NULL && good) copy_report(r, s->report);
+    if (s->phase == FINISHED) return NOOK_OK;
+    closed = r->watertight == NOOK_YES && r->oriented == NOOK_YES;
+    return nook_geometry_begin(&s->in.geometry, &s->view, closed, s->shells, s->finder, &r->geometry);
 }
 
 /* The survey is taken from the report, or done where O tells all: link cut no edge but borders. */
@@ -138,90 +129,22 @@ static nook_status begin_survey(nook_check_state *s) {
     } else if (s->shells != NULL) {
         s->shells->count = 0; /* nothing is known of single shells */
     }
-    conclude(s);
+    return conclude(s);
+}
+
+/* The survey or the geometry: NOOK_OK while there is more to do. */
+static nook_status inner(nook_check_state *s, uint32_t *units) {
+    nook_status status = s->phase == SURVEY ? nook_survey_step(&s->in.survey, units)
+                                            : nook_geometry_step(&s->in.geometry, units);
+    if (status == NOOK_MORE) return NOOK_OK;
+    if (status != NOOK_OK) {
+        s->phase = FAILED;
+        return status;
+    }
+    if (s->phase == SURVEY) return conclude(s);
+    if (s->in.geometry.closed) s->result->inside_out = truth(s->result->geometry.volume_sign < 0);
+    s->phase = FINISHED;
     return NOOK_OK;
-}
-
-static nook_status survey(nook_check_state *s, uint32_t *units) {
-    nook_status status = nook_survey_step(&s->in.survey, units);
-    if (status == NOOK_OK) conclude(s);
-    if (status != NOOK_OK && status != NOOK_MORE) s->phase = FAILED;
-    return status == NOOK_MORE ? NOOK_OK : status;
-}
-
-/* ---- measures --------------------------------------------------------------------------------- */
-
-static void widen(float *low, float *high, float x) {
-    if (x < *low) *low = x;
-    if (x > *high) *high = x;
-}
-
-static void extend_box(nook_check_state *s, uint32_t v) {
-    nook_check_result *r = s->result;
-    nook_point p = s->view.G[v];
-    if (s->view.C[v] == NOOK_STORED_NONE) return;
-    if (!r->geometry_known) r->box_min = r->box_max = p;
-    r->geometry_known = true;
-    widen(&r->box_min.x, &r->box_max.x, p.x);
-    widen(&r->box_min.y, &r->box_max.y, p.y);
-    widen(&r->box_min.z, &r->box_max.z, p.z);
-}
-
-/* Coordinates are measured from the middle of the box and scaled by a power of two to about 1, so
- * that neither far nor tiny nor huge meshes lose digits. */
-static void begin_measure(nook_check_state *s) {
-    nook_check_result *r = s->result;
-    nook_point size = nook_sub(r->box_max, r->box_min), half = nook_scaled(size, 0.5f);
-    float most = size.x > size.y ? size.x : size.y;
-    uint32_t exponent = nook_exponent(most > size.z ? most : size.z);
-    memset(&s->in.measure, 0, sizeof s->in.measure);
-    s->in.measure.centre = nook_make(r->box_min.x + half.x, r->box_min.y + half.y, r->box_min.z + half.z);
-    s->in.measure.scale = nook_power_of_two(254u - exponent);
-    s->in.measure.back = nook_power_of_two(exponent);
-}
-
-/* The area of triangle t, and the volume of the tetrahedron over it from the middle of the box. */
-static void measure_triangle(nook_check_state *s, uint32_t t) {
-    float scale = s->in.measure.scale, volume;
-    nook_point a = nook_point_at(&s->view, 3u * t);
-    nook_point ab = nook_scaled(nook_sub(nook_point_at(&s->view, 3u * t + 1u), a), scale);
-    nook_point ac = nook_scaled(nook_sub(nook_point_at(&s->view, 3u * t + 2u), a), scale);
-    nook_point twice = nook_cross(ab, ac);
-    nook_shell *shell = nook_shell_of(s->shells, t);
-    nook_add(&s->in.measure.area, 0.5f * nook_length(twice));
-    volume = nook_dot(nook_scaled(nook_sub(a, s->in.measure.centre), scale), twice) / 6.0f;
-    nook_add(&s->in.measure.volume, volume);
-    if (shell != NULL) nook_add(&shell->volume, volume);
-}
-
-static float unscaled_volume(const nook_check_state *s, float volume) {
-    float back = s->in.measure.back;
-    return volume * back * back * back;
-}
-
-/* The sign is taken before scaling back, where a tiny volume may round to zero. */
-static void end_measure(nook_check_state *s) {
-    nook_check_result *r = s->result;
-    float back = s->in.measure.back, volume = nook_sum_value(&s->in.measure.volume);
-    r->geometry_known = true;
-    r->area = nook_sum_value(&s->in.measure.area) * back * back;
-    r->signed_volume = unscaled_volume(s, volume);
-    if (r->watertight != NOOK_YES || r->oriented != NOOK_YES) return;
-    r->inside_out = truth(volume < 0);
-    if (s->shells == NULL && volume < 0) nook_tell(s->finder, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, 0);
-}
-
-static void zero_shell(nook_check_state *s, uint32_t k) {
-    memset(&s->shells->shell[k].volume, 0, sizeof s->shells->shell[k].volume);
-}
-
-static void finish_shell(nook_check_state *s, uint32_t k) {
-    nook_shell *shell = &s->shells->shell[k];
-    bool closed = !shell->has_nonmanifold_edge && shell->border_edges == 0 && shell->incoherent_edges == 0;
-    float volume = closed ? nook_sum_value(&shell->volume) : 0;
-    shell->signed_volume = unscaled_volume(s, volume);
-    if (volume < 0)
-        count(s, &s->result->inside_out_shells, NOOK_INSIDE_OUT, NOOK_AT_TRIANGLE, shell->first_triangle);
 }
 
 /* ---- passes ----------------------------------------------------------------------------------- */
@@ -230,15 +153,9 @@ static void finish_shell(nook_check_state *s, uint32_t k) {
 static uint32_t length(const nook_check_state *s) {
     switch (s->phase) {
     case POINTS:
-    case VERTICES:
-    case BOX: return s->view.nv;
-    case INDICES:
-    case CORNERS: return 3u * s->view.nt;
+    case VERTICES: return s->view.nv;
     case MARKS: return (uint32_t)NOOK_MV_BYTES(s->view.nv);
-    case MEASURE: return s->view.nt;
-    case ZERO:
-    case SHELLS: return s->shells != NULL ? s->shells->count : 0;
-    default: return NOOK_NONE;
+    default: return 3u * s->view.nt;
     }
 }
 
@@ -251,8 +168,6 @@ static nook_status next_pass(nook_check_state *s) {
         if (s->shells != NULL) s->shells->count = 0;
         return NOOK_OK;
     case VERTICES: return begin_survey(s);
-    case ZERO: begin_measure(s); return NOOK_OK;
-    case MEASURE: end_measure(s); return NOOK_OK;
     default: return NOOK_OK;
     }
 }
@@ -263,23 +178,19 @@ static void visit(nook_check_state *s, uint32_t i) {
     case INDICES: look_at_index(s, i); return;
     case MARKS: s->marks.Mv[i] = 0; return;
     case CORNERS: look_at_corner(s, i); return;
-    case VERTICES: look_at_vertex(s, i); return;
-    case BOX: extend_box(s, i); return;
-    case ZERO: zero_shell(s, i); return;
-    case MEASURE: measure_triangle(s, i); return;
-    default: finish_shell(s, i); return;
+    default: look_at_vertex(s, i); return;
     }
 }
 
 nook_status nook_check_step(nook_check_state *s, uint32_t *units) {
     while (s->phase < FINISHED) {
         nook_status status = NOOK_OK;
-        if (s->phase != SURVEY && s->at == length(s)) {
+        if (s->phase < SURVEY && s->at == length(s)) {
             status = next_pass(s);
         } else if (*units == 0) {
             return NOOK_MORE;
-        } else if (s->phase == SURVEY) {
-            status = survey(s, units);
+        } else if (s->phase >= SURVEY) {
+            status = inner(s, units);
         } else {
             --*units;
             visit(s, s->at++);
@@ -295,7 +206,8 @@ static void all_unknown(nook_check_result *r) {
     r->nonmanifold_edges = r->duplicate_triangles = NOOK_UNKNOWN;
     nook_survey_unknown(&r->survey);
     r->edge_manifold = r->manifold = r->even = r->watertight = NOOK_MAYBE;
-    r->oriented = r->clean = r->simple = r->inside_out = NOOK_MAYBE;
+    r->oriented = r->clean = r->simple = r->inside_out = r->geometry.convex = NOOK_MAYBE;
+    r->geometry.witness_vertex = r->geometry.witness_triangle = NOOK_NONE;
 }
 
 nook_status nook_check_begin(nook_check_state *s, const nook_view *view, const nook_marks *marks,
@@ -337,7 +249,9 @@ nook_status nook_check(const nook_view *view, const nook_marks *marks, const noo
 }
 
 bool nook_is_sound(const nook_check_result *r) {
-    return tables_are_good(r) && r->bad_coordinates == 0 && r->manifold == NOOK_YES &&
-           r->watertight == NOOK_YES && r->oriented == NOOK_YES && r->inside_out == NOOK_NO &&
-           r->inside_out_shells == 0 && r->duplicate_triangles == 0;
+    const nook_geometry *g = &r->geometry;
+    return tables_are_good(r) && r->manifold == NOOK_YES && r->watertight == NOOK_YES &&
+           r->oriented == NOOK_YES && r->duplicate_triangles == 0 && r->bad_coordinates == 0 && g->known && g->volume_sign > 0 &&
+           g->inside_out_shells == 0 && g->flat_shells == 0 && g->zero_area_triangles == 0 &&
+           g->folded_edges == 0;
 }

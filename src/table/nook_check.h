@@ -1,11 +1,12 @@
 /* nook_check.h -- is this mesh sound, and if not, where? Over const tables, at boot or at any time.
  *
  * Everything is checked before it is used: indices, then coordinates, then O, then what the
- * triangles form together, then areas and volume. A pass whose ground is broken is left out and its
+ * triangles form together, then their geometry. A pass whose ground is broken is left out and its
  * answers are unknown. Nothing is repaired and nothing but *result, the marks and the shells is written. */
 #ifndef NOOK_CHECK_H
 #define NOOK_CHECK_H
 
+#include "table/nook_geometry.h"
 #include "table/nook_link.h"
 
 typedef struct nook_check_result {
@@ -25,21 +26,16 @@ typedef struct nook_check_result {
     int32_t euler; /* referenced vertices - edges + triangles; only when edges is known */
     bool euler_known;
 
-    nook_truth edge_manifold;   /* no edge with more than two triangles */
-    nook_truth manifold;        /* that, at least one triangle, and every vertex a single fan */
-    nook_truth even;            /* every edge has an even number of triangles */
-    nook_truth watertight;      /* at least one triangle, and every edge has exactly two */
-    nook_truth oriented;        /* no incoherent edge */
-    nook_truth clean;           /* no isolated vertex, no triangle with a repeated vertex */
-    nook_truth simple;          /* one shell of genus 0: watertight, manifold, orientable */
-    uint32_t inside_out_shells; /* closed shells of negative volume; only if shells are given */
-    nook_truth inside_out;      /* signed volume < 0; NOOK_MAYBE unless watertight and oriented */
+    nook_truth edge_manifold; /* no edge with more than two triangles */
+    nook_truth manifold;      /* that, at least one triangle, and every vertex a single fan */
+    nook_truth even;          /* every edge has an even number of triangles */
+    nook_truth watertight;    /* at least one triangle, and every edge has exactly two */
+    nook_truth oriented;      /* no incoherent edge */
+    nook_truth clean;         /* no isolated vertex, no triangle with a repeated vertex */
+    nook_truth simple;        /* one shell of genus 0: watertight, manifold, orientable */
+    nook_truth inside_out;    /* signed volume < 0; NOOK_MAYBE unless watertight and oriented */
 
-    /* Geometry; only with geometry_known. The box covers the vertices of triangles; without any it is 0. */
-    bool geometry_known;
-    float area;
-    float signed_volume; /* about the centre of the box; a volume only if watertight and oriented */
-    nook_point box_min, box_max;
+    nook_geometry geometry; /* known if the tables and all coordinates are good */
 } nook_check_result;
 
 typedef struct nook_check_state {
@@ -52,11 +48,7 @@ typedef struct nook_check_state {
     uint32_t phase, at, loose; /* loose: corners that are their own opposite */
     union {
         nook_survey_state survey;
-        struct {
-            nook_sum area, volume;
-            nook_point centre;
-            float scale, back;
-        } measure;
+        nook_geometry_state geometry;
     } in;
 } nook_check_state;
 
@@ -65,17 +57,21 @@ typedef struct nook_check_state {
  *   report  what link said of this mesh, or null: then what O alone cannot tell is unknown
  *   shells  each component described, signed volumes included; the same struct that was given to
  *           link; may be null
- *   finder  told of what check itself finds: bad tables and numbers, isolated vertices, shells inside out,
- *           and the survey's findings if it is done here. Edges and duplicates were told by link. May be null
+ *   finder  told of what check itself finds: bad tables and numbers, isolated vertices, what
+ *           nook_geometry finds, and the survey's findings if it is done here. Edges and duplicates were told by link. May be null
  *   NOOK_NULL_ARGUMENT, NOOK_NO_CAPACITY (marks too small, or report of another triangle count)
  * A report that cannot be of these tables (its edges do not add up to the corners that O leaves alone) is
  * taken for no report.
  * A defect is not an error of the call: step returns NOOK_OK when the check is finished, and
  * nook_is_sound() gives the verdict. Every table may hold any bits: no access leaves the arrays and
  * the bound on steps holds.
- * Steps: 9 nt + 5 nv visits and the survey: less than 34 nt + 8 nv + 20 units, about 23 nt + 5 nv on a
- * closed mesh. One unit is at most 450 instructions on M4F (a triangle's area, a correctly rounded root
- * and compensated sums). */
+ * Steps: at most NOOK_CHECK_UNITS, about 60 nt + 5 nv on a sound mesh. One unit is at most 450 instructions
+ * on M4F (nook_geometry.h says how exact signs are paid). */
+#define NOOK_CHECK_UNITS(nt, nv, zero_area_triangles)                                                        \
+    (175u * (uint64_t)(nt) + 25u * (uint64_t)(nv) + 40u +                                                    \
+     ((zero_area_triangles) != 0 ? 50u * (uint64_t)(nt) + 30u * (uint64_t)(zero_area_triangles) * (nv)       \
+                                 : 0u))
+
 nook_status nook_check_begin(nook_check_state *state, const nook_view *view, const nook_marks *marks,
                              const nook_report *report, nook_shells *shells, const nook_finder *finder,
                              nook_check_result *result);
@@ -83,8 +79,9 @@ nook_status nook_check_step(nook_check_state *state, uint32_t *units);
 nook_status nook_check(const nook_view *view, const nook_marks *marks, const nook_report *report,
                        nook_shells *shells, const nook_finder *finder, nook_check_result *result);
 
-/* The verdict: tables whole, manifold, watertight, oriented, no duplicate and no repeated vertex, not
- * inside out: no shell if shells were given, else the sum of all. Unknown counts as no. */
+/* The verdict: tables whole, manifold, watertight, oriented, no duplicate, no repeated vertex, no
+ * triangle without area, no fold, and a positive volume: of every shell if shells were given, else of all
+ * together. Unknown counts as no. */
 bool nook_is_sound(const nook_check_result *result);
 
 #endif

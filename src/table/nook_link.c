@@ -415,7 +415,7 @@ nook_status nook_link(nook_mesh *mesh, const nook_marks *marks, nook_shells *she
     if (where != NULL) *where = nook_at(NOOK_NOWHERE, 0);
     if (status != NOOK_OK) return status;
     do {
-        units = UINT32_MAX;
+        units = 1u << 12; /* any number gives the same */
         status = nook_link_step(&state, &units);
     } while (status == NOOK_MORE);
     if (where != NULL) *where = state.where;

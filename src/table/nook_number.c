@@ -102,7 +102,7 @@ nook_status nook_number_push(nook_number *n, char byte) {
         n->place++;
     } else if (byte == '.' && n->place <= IN_INTEGER) {
         n->place = AFTER_POINT;
-    } else if ((byte == 'e' || byte == 'E') && !in_exponent && (n->flags & NO_DIGIT_YET) == 0) {
+    } else if (!in_exponent && (n->flags & NO_DIGIT_YET) == 0 && (byte == 'e' || byte == 'E')) {
         n->place = AT_EXPONENT;
     } else {
         return NOOK_BAD_NUMBER;
@@ -178,9 +178,8 @@ nook_status nook_number_value(const nook_number *n, float *value) {
         bits = 0;
     } else if (n->kept + scale > 39) {
         return NOOK_NOT_FINITE;
-    } else if (n->words == 1 && n->digits[0] < 0x1000000u && scale >= -10 && scale <= 10 &&
-               !(n->flags & INEXACT)) {
-        float d = (float)n->digits[0];
+    } else if (n->words == 1 && n->digits[0] < 0x1000000u && scale >= -10 && scale <= 10) {
+        float d = (float)n->digits[0]; /* all of D: digits are dropped only after the 115th */
         bits = nook_float_bits(scale < 0 ? d / power_of_ten((uint32_t)-scale)
                                          : d * power_of_ten((uint32_t)scale));
     } else {

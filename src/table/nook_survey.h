@@ -15,7 +15,7 @@
 
 #include "core/nook_corner.h"
 #include "core/nook_marks.h"
-#include "core/nook_vector.h"
+#include "exact/nook_exact.h"
 
 typedef struct nook_survey {
     uint32_t components;           /* connected through any shared edge */
@@ -40,8 +40,9 @@ typedef struct nook_shell {
     bool orientable;
     uint32_t border_edges, border_loops;
     uint32_t incoherent_edges;
-    float signed_volume; /* filled by check, for a closed, coherently oriented shell; else 0 */
-    nook_sum volume;     /* private to check */
+    /* Filled by nook_geometry: */
+    nook_volume volume;  /* six times the signed volume, exact; a volume only if closed and oriented */
+    float signed_volume; /* rounded once; 0 unless the shell is closed and coherently oriented */
 } nook_shell;
 
 /* The genus of a shell (number of handles) from fans - edges + triangles = 2 - 2g - loops;

@@ -148,7 +148,7 @@ nook_status nook_weld(nook_mesh *mesh, nook_index *map, nook_index *order, nook_
     if (where != NULL) *where = nook_at(NOOK_NOWHERE, 0);
     if (status != NOOK_OK) return status;
     do {
-        units = UINT32_MAX;
+        units = 1u << 12; /* any number gives the same */
         status = nook_weld_step(&state, &units);
     } while (status == NOOK_MORE);
     if (where != NULL) *where = state.where;

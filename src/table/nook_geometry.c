@@ -1,0 +1,405 @@
+/* nook_geometry.c -- measures and exact shape, pass by pass.
+ *
+ * The volume comes first, because its sign says which side is outside; then edges, and only if none of
+ * them is concave the search for anything else that is not convex. */
+#include "table/nook_geometry.h"
+
+#include <string.h>
+
+enum phase {
+    BOX,
+    CLEAR,
+    SURFACE,
+    SHELLS,
+    MASS,
+    INERTIA,
+    AREAS,
+    EDGES,
+    SPAN,
+    SIDES,
+    LAYERS,
+    SLIVERS,
+    FINISHED
+};
+
+/* Units for one exact sign at its worst. */
+enum { ORIENT2D = 4, ORIENT3D = 9 };
+
+static const nook_point *point(const nook_geometry_state *s, uint32_t c) { return &s->view.G[s->view.V[c]]; }
+
+/* +1 where the triangles face outwards, -1 where inwards. */
+static int facing(const nook_geometry_state *s) { return s->result->volume_sign < 0 ? -1 : 1; }
+
+/* ---- box, area, volume ---------------------------------------------------------------------------- */
+
+static void widen(float *low, float *high, float x) {
+    if (x < *low) *low = x;
+    if (x > *high) *high = x;
+}
+
+static void extend_box(nook_geometry_state *s, uint32_t v) {
+    nook_geometry *r = s->result;
+    nook_point p = s->view.G[v];
+    if (s->view.C[v] == NOOK_STORED_NONE) return;
+    if (!r->known) r->box_min = r->box_max = p;
+    r->known = true;
+    widen(&r->box_min.x, &r->box_max.x, p.x);
+    widen(&r->box_min.y, &r->box_max.y, p.y);
+    widen(&r->box_min.z, &r->box_max.z, p.z);
+}
+
+/* A power of two that scales the box to about 1, so that neither tiny nor huge meshes lose digits. */
+static uint32_t size_exponent(const nook_geometry_state *s) {
+    nook_point size = nook_sub(s->result->box_max, s->result->box_min);
+    float most = size.x > size.y ? size.x : size.y;
+    return nook_exponent(most > size.z ? most : size.z);
+}
+
+static float scale_of(const nook_geometry_state *s) { return nook_power_of_two(254u - size_exponent(s)); }
+
+static nook_point middle(const nook_geometry *r) {
+    nook_point half = nook_scaled(nook_sub(r->box_max, r->box_min), 0.5f);
+    return nook_make(r->box_min.x + half.x, r->box_min.y + half.y, r->box_min.z + half.z);
+}
+
+static nook_point relative(const nook_geometry_state *s, uint32_t c, nook_point origin, float scale) {
+    return nook_scaled(nook_sub(*point(s, c), origin), scale);
+}
+
+static void measure_surface(nook_geometry_state *s, uint32_t t) {
+    float scale = s->in.surface.scale;
+    nook_point ab = relative(s, 3u * t + 1u, *point(s, 3u * t), scale);
+    nook_point ac = relative(s, 3u * t + 2u, *point(s, 3u * t), scale);
+    nook_shell *shell = nook_shell_of(s->shells, t);
+    nook_add(&s->in.surface.area, 0.5f * nook_length(nook_cross(ab, ac)));
+    nook_volume_add(shell != NULL ? &shell->volume : &s->result->volume, point(s, 3u * t),
+                    point(s, 3u * t + 1u), point(s, 3u * t + 2u));
+}
+
+static void tell_sign(nook_geometry_state *s, int sign, uint32_t t) {
+    if (sign > 0) return;
+    ++*(sign < 0 ? &s->result->inside_out_shells : &s->result->flat_shells);
+    nook_tell(s->finder, sign < 0 ? NOOK_INSIDE_OUT : NOOK_FLAT_SHELL, NOOK_AT_TRIANGLE, t);
+}
+
+/* The volume of all is that of the shells together. */
+static void finish_shell(nook_geometry_state *s, uint32_t k) {
+    nook_shell *shell = &s->shells->shell[k];
+    nook_volume_merge(&s->result->volume, &shell->volume);
+    shell->signed_volume = 0;
+    if (shell->has_nonmanifold_edge || shell->border_edges != 0 || shell->incoherent_edges != 0) return;
+    shell->signed_volume = nook_volume_value(&shell->volume);
+    tell_sign(s, nook_volume_sign(&shell->volume), shell->first_triangle);
+}
+
+static void finish_volume(nook_geometry_state *s) {
+    nook_geometry *r = s->result;
+    if (!s->closed) return;
+    r->volume_sign = nook_volume_sign(&r->volume);
+    r->signed_volume = nook_volume_value(&r->volume);
+    r->convex = NOOK_NO; /* until shown */
+    if (s->shells == NULL) tell_sign(s, r->volume_sign, 0);
+}
+
+/* ---- mass ------------------------------------------------------------------------------------------- */
+
+/* The tetrahedron over triangle t from an origin: its volume; its corners in p. */
+static float tetrahedron(const nook_geometry_state *s, uint32_t t, nook_point origin, float scale,
+                         nook_point p[3]) {
+    uint32_t i;
+    for (i = 0; i < 3u; i++) p[i] = relative(s, 3u * t + i, origin, scale);
+    return nook_dot(p[0], nook_cross(p[1], p[2])) / 6.0f;
+}
+
+static void add_mass(nook_geometry_state *s, uint32_t t) {
+    nook_point p[3];
+    float volume = tetrahedron(s, t, middle(s->result), s->in.mass.scale, p), quarter = 0.25f * volume;
+    nook_add(&s->in.mass.volume, volume);
+    nook_add(&s->in.mass.moment[0], quarter * (p[0].x + p[1].x + p[2].x));
+    nook_add(&s->in.mass.moment[1], quarter * (p[0].y + p[1].y + p[2].y));
+    nook_add(&s->in.mass.moment[2], quarter * (p[0].z + p[1].z + p[2].z));
+}
+
+static void finish_mass(nook_geometry_state *s) {
+    nook_geometry *r = s->result;
+    nook_point m = middle(r);
+    float volume = nook_sum_value(&s->in.mass.volume), back = nook_power_of_two(size_exponent(s));
+    if (volume == 0) return;
+    r->centroid = nook_make(m.x + nook_sum_value(&s->in.mass.moment[0]) / volume * back,
+                            m.y + nook_sum_value(&s->in.mass.moment[1]) / volume * back,
+                            m.z + nook_sum_value(&s->in.mass.moment[2]) / volume * back);
+}
+
+/* Over a tetrahedron with one corner at the origin, the integral of x y is a twentieth of its volume
+ * times the sum of x y over the corners and over the sum of the corners. */
+static void add_inertia(nook_geometry_state *s, uint32_t t) {
+    nook_point p[3], sum;
+    float part = tetrahedron(s, t, s->result->centroid, s->in.inertia.scale, p) / 20.0f;
+    nook_sum *moment = s->in.inertia.moment;
+    sum = nook_make(p[0].x + p[1].x + p[2].x, p[0].y + p[1].y + p[2].y, p[0].z + p[1].z + p[2].z);
+    nook_add(&moment[0], part * (sum.x * sum.x + p[0].x * p[0].x + p[1].x * p[1].x + p[2].x * p[2].x));
+    nook_add(&moment[1], part * (sum.x * sum.y + p[0].x * p[0].y + p[1].x * p[1].y + p[2].x * p[2].y));
+    nook_add(&moment[2], part * (sum.x * sum.z + p[0].x * p[0].z + p[1].x * p[1].z + p[2].x * p[2].z));
+    nook_add(&moment[3], part * (sum.y * sum.y + p[0].y * p[0].y + p[1].y * p[1].y + p[2].y * p[2].y));
+    nook_add(&moment[4], part * (sum.y * sum.z + p[0].y * p[0].z + p[1].y * p[1].z + p[2].y * p[2].z));
+    nook_add(&moment[5], part * (sum.z * sum.z + p[0].z * p[0].z + p[1].z * p[1].z + p[2].z * p[2].z));
+}
+
+static void finish_inertia(nook_geometry_state *s) {
+    float back = nook_power_of_two(size_exponent(s)), m[6];
+    uint32_t i;
+    for (i = 0; i < 6u; i++) {
+        m[i] = nook_sum_value(&s->in.inertia.moment[i]) * back * back * back * back * back;
+        if (s->result->volume_sign < 0) m[i] = -m[i];
+    }
+    s->result->inertia[0] = m[3] + m[5];
+    s->result->inertia[1] = -m[1];
+    s->result->inertia[2] = -m[2];
+    s->result->inertia[3] = m[0] + m[5];
+    s->result->inertia[4] = -m[4];
+    s->result->inertia[5] = m[0] + m[3];
+}
+
+/* ---- triangles and edges ------------------------------------------------------------------------------ */
+
+static int turn(const nook_geometry_state *s, uint32_t t, uint32_t axis) {
+    return nook_orient2d(point(s, 3u * t), point(s, 3u * t + 1u), point(s, 3u * t + 2u), axis);
+}
+
+static int area_sign(const nook_geometry_state *s, uint32_t t, uint32_t *axis) {
+    return nook_facing(point(s, 3u * t), point(s, 3u * t + 1u), point(s, 3u * t + 2u), axis);
+}
+
+/* +1 if p is outside the plane of triangle t, -1 inside, 0 in it. */
+static int side(const nook_geometry_state *s, uint32_t t, const nook_point *p) {
+    return facing(s) * nook_orient3d(point(s, 3u * t), point(s, 3u * t + 1u), point(s, 3u * t + 2u), p);
+}
+
+static void look_at_area(nook_geometry_state *s, uint32_t t) {
+    uint32_t axis;
+    if (area_sign(s, t, &axis) != 0) return;
+    s->result->zero_area_triangles++;
+    nook_tell(s->finder, NOOK_ZERO_AREA_TRIANGLE, NOOK_AT_TRIANGLE, t);
+}
+
+static void found_outside(nook_geometry_state *s, uint32_t v, uint32_t t) {
+    if (!s->closed || s->result->witness_vertex != NOOK_NONE) return;
+    s->result->witness_vertex = v;
+    s->result->witness_triangle = t;
+}
+
+/* The two triangles are in one plane, so both are seen against the same axis, if they have an area. */
+static void look_at_coplanar(nook_geometry_state *s, uint32_t c, uint32_t o) {
+    uint32_t axis;
+    int one = area_sign(s, nook_triangle(c), &axis), other = turn(s, nook_triangle(o), axis);
+    if (one == 0 || other == 0) return;
+    if (one == other) {
+        s->result->flat_edges++;
+    } else {
+        s->result->folded_edges++;
+        nook_tell(s->finder, NOOK_FOLDED_EDGE, NOOK_AT_CORNER, c);
+    }
+}
+
+static uint32_t look_at_edge(nook_geometry_state *s, uint32_t c) {
+    uint32_t o = s->view.O[c], t = nook_triangle(c);
+    int above;
+    if (o <= c || o >= 3u * s->view.nt) return 1;
+    above = side(s, t, point(s, o));
+    if (above == 0) {
+        look_at_coplanar(s, c, o);
+        return ORIENT3D + 4 * ORIENT2D;
+    }
+    ++*(above > 0 ? &s->result->concave_edges : &s->result->convex_edges);
+    if (above > 0) found_outside(s, s->view.V[o], t);
+    return ORIENT3D;
+}
+
+/* ---- convexity ---------------------------------------------------------------------------------------- */
+
+static bool same_place(const nook_point *a, const nook_point *b) {
+    return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+/* Take v if it is not on the point, the line, the plane of those found so far. */
+static uint32_t span(nook_geometry_state *s, uint32_t v) {
+    const nook_point *G = s->view.G;
+    const uint32_t *known = s->in.hull.vertex;
+    uint32_t found = s->in.hull.found, price = 1;
+    bool further = true;
+    if (found == 4u || s->view.C[v] == NOOK_STORED_NONE) return 1;
+    if (found == 1u) further = !same_place(&G[known[0]], &G[v]);
+    if (found == 2u) {
+        further = nook_facing(&G[known[0]], &G[known[1]], &G[v], &s->in.hull.axis) != 0;
+        price = 3 * ORIENT2D;
+    }
+    if (found == 3u) {
+        further = nook_orient3d(&G[known[0]], &G[known[1]], &G[known[2]], &G[v]) != 0;
+        price = ORIENT3D;
+    }
+    if (further) s->in.hull.vertex[s->in.hull.found++] = v;
+    return price;
+}
+
+static uint32_t look_at_side(nook_geometry_state *s, uint32_t i) {
+    uint32_t v = s->in.hull.vertex[i & 3u];
+    if (side(s, i >> 2, &s->view.G[v]) > 0) found_outside(s, v, i >> 2);
+    return ORIENT3D;
+}
+
+/* Whether the line along the axis, through a point of the triangle of the first three vertices that is as near
+ * as you like to the first and in general position, passes triangle t, which is seen turning to the left. */
+static bool passes(const nook_geometry_state *s, uint32_t t, uint32_t *price) {
+    uint32_t i, k;
+    for (i = 0; i < 3u; i++) {
+        int left = 0;
+        for (k = 0; k < 3u && left == 0; k++) {
+            const nook_point *p = &s->view.G[s->in.hull.vertex[k]];
+            left = nook_orient2d(point(s, 3u * t + i), point(s, 3u * t + (i + 1u) % 3u), p, s->in.hull.axis);
+            *price += ORIENT2D;
+        }
+        if (left * facing(s) <= 0) return false;
+    }
+    return true;
+}
+
+static uint32_t look_at_layer(nook_geometry_state *s, uint32_t t) {
+    uint32_t price = ORIENT2D;
+    if (turn(s, t, s->in.hull.axis) * facing(s) > 0 && passes(s, t, &price)) s->in.hull.layers++;
+    return price;
+}
+
+/* A triangle with an area beside one without. */
+static bool is_beside_sliver(const nook_geometry_state *s, uint32_t t) {
+    uint32_t i, axis;
+    if (area_sign(s, t, &axis) == 0) return false;
+    for (i = 0; i < 3u; i++) {
+        uint32_t o = s->view.O[3u * t + i];
+        if (o < 3u * s->view.nt && area_sign(s, nook_triangle(o), &axis) == 0) return true;
+    }
+    return false;
+}
+
+/* Hold triangle t against the next vertex; s->at stays until all have been. */
+static uint32_t look_beside_sliver(nook_geometry_state *s, uint32_t t) {
+    uint32_t v = s->in.hull.v++;
+    if (v == 0 && !is_beside_sliver(s, t)) {
+        s->in.hull.v = 0;
+        return 12 * ORIENT2D;
+    }
+    if (s->view.C[v] != NOOK_STORED_NONE && side(s, t, &s->view.G[v]) > 0) found_outside(s, v, t);
+    if (s->in.hull.v == s->view.nv) {
+        s->in.hull.v = 0;
+    } else {
+        s->at--;
+    }
+    return ORIENT3D + (v == 0 ? 12 * ORIENT2D : 0);
+}
+
+/* ---- passes --------------------------------------------------------------------------------------------- */
+
+/* How many items the pass has. */
+static uint32_t length(const nook_geometry_state *s) {
+    switch (s->phase) {
+    case BOX:
+    case SPAN: return s->view.nv;
+    case CLEAR:
+    case SHELLS: return s->shells != NULL ? s->shells->count : 0;
+    case EDGES: return 3u * s->view.nt;
+    case SIDES: return 4u * s->view.nt;
+    default: return s->view.nt;
+    }
+}
+
+static uint32_t visit(nook_geometry_state *s, uint32_t i) {
+    switch (s->phase) {
+    case BOX: extend_box(s, i); return 1;
+    case CLEAR: nook_volume_clear(&s->shells->shell[i].volume); return 1;
+    case SURFACE: measure_surface(s, i); return 3;
+    case SHELLS: finish_shell(s, i); return 3;
+    case MASS: add_mass(s, i); return 1;
+    case INERTIA: add_inertia(s, i); return 2;
+    case AREAS: look_at_area(s, i); return 3 * ORIENT2D;
+    case EDGES: return look_at_edge(s, i);
+    case SPAN: return span(s, i);
+    case SIDES: return look_at_side(s, i);
+    case LAYERS: return look_at_layer(s, i);
+    default: return look_beside_sliver(s, i);
+    }
+}
+
+/* Nothing more to ask once a vertex is outside, or where there is no inside. */
+static bool is_decided(const nook_geometry_state *s) {
+    return s->result->volume_sign == 0 || s->result->witness_vertex != NOOK_NONE;
+}
+
+static void next_pass(nook_geometry_state *s) {
+    nook_geometry *r = s->result;
+    s->at = 0;
+    switch (s->phase++) {
+    case CLEAR: s->in.surface.scale = scale_of(s); return;
+    case SURFACE:
+        r->area = nook_sum_value(&s->in.surface.area);
+        r->area *= nook_power_of_two(size_exponent(s));
+        r->area *= nook_power_of_two(size_exponent(s));
+        return;
+    case SHELLS:
+        finish_volume(s);
+        memset(&s->in, 0, sizeof s->in);
+        s->in.mass.scale = scale_of(s);
+        if (r->volume_sign == 0) s->phase = AREAS;
+        return;
+    case MASS:
+        finish_mass(s);
+        memset(&s->in, 0, sizeof s->in);
+        s->in.inertia.scale = scale_of(s);
+        return;
+    case INERTIA:
+        finish_inertia(s);
+        memset(&s->in, 0, sizeof s->in);
+        return;
+    case EDGES:
+    case SIDES:
+        if (is_decided(s)) s->phase = FINISHED;
+        return;
+    case LAYERS:
+        if (r->zero_area_triangles == 0) s->phase = FINISHED;
+        break;
+    default: break;
+    }
+    if (s->phase == FINISHED && !is_decided(s) && s->in.hull.layers == 1u) r->convex = NOOK_YES;
+}
+
+nook_status nook_geometry_step(nook_geometry_state *s, uint32_t *units) {
+    for (;;) {
+        uint32_t paid = s->debt < *units ? s->debt : *units;
+        s->debt -= paid;
+        *units -= paid;
+        if (s->debt != 0) return NOOK_MORE;
+        if (s->phase == FINISHED) return NOOK_OK;
+        if (s->at == length(s)) {
+            next_pass(s);
+        } else if (*units == 0) {
+            return NOOK_MORE;
+        } else {
+            s->debt = visit(s, s->at++);
+        }
+    }
+}
+
+nook_status nook_geometry_begin(nook_geometry_state *s, const nook_view *view, bool closed,
+                                nook_shells *shells, const nook_finder *finder, nook_geometry *result) {
+    if (s == NULL || view == NULL || result == NULL) return NOOK_NULL_ARGUMENT;
+    if (nook_shells_status(shells, view->nt) != NOOK_OK) return NOOK_NULL_ARGUMENT;
+    memset(s, 0, sizeof *s);
+    memset(result, 0, sizeof *result);
+    s->view = *view;
+    s->shells = shells;
+    s->finder = finder;
+    s->result = result;
+    s->closed = closed;
+    result->convex = NOOK_MAYBE;
+    result->witness_vertex = result->witness_triangle = NOOK_NONE;
+    nook_volume_clear(&result->volume);
+    return NOOK_OK;
+}
