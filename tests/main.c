@@ -10,10 +10,12 @@ int main(void) {
     NOOK_TEST_ROOM();
 #else
     test_core();
+    test_exact();
     test_number();
     test_stl();
     test_weld();
     test_link();
+    test_geometry();
     test_check();
     test_verdict();
     test_worlds();

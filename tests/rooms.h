@@ -3,10 +3,12 @@
 #define ROOMS_H
 
 void test_core(void);
+void test_exact(void);
 void test_number(void);
 void test_stl(void);
 void test_weld(void);
 void test_link(void);
+void test_geometry(void);
 void test_check(void);
 void test_verdict(void);
 void test_worlds(void);

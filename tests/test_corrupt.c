@@ -324,6 +324,11 @@ static void ring_of_pages(void) {
     for (t = 0; t < 3; t++) mesh.O[3 * t + 2] = nook_store((3 * t + 5) % 9);
 }
 
+static void keep_whole(void) {
+    memcpy(whole_V, mesh.V, 3 * mesh.nt * sizeof *whole_V);
+    memcpy(whole_O, mesh.O, 3 * mesh.nt * sizeof *whole_O);
+}
+
 static void restore(void) {
     memcpy(mesh.V, whole_V, 3 * mesh.nt * sizeof *whole_V);
     memcpy(mesh.O, whole_O, 3 * mesh.nt * sizeof *whole_O);
@@ -359,8 +364,7 @@ static nook_status survey_changed(bool rings, uint32_t after, nook_index *first,
 /* Any one entry of V or O takes any value of interest before any unit. */
 static void change_any_entry(bool rings) {
     uint32_t after, i, k, refused = 0, nc = 3 * mesh.nt;
-    memcpy(whole_V, mesh.V, nc * sizeof *whole_V);
-    memcpy(whole_O, mesh.O, nc * sizeof *whole_O);
+    keep_whole();
     for (after = 0; after <= survey_bound() && !test_has_failed(); after++) {
         for (i = 0; i < nc; i++) {
             for (k = 0; k <= nc + 1; k++) {
@@ -400,8 +404,7 @@ static void a_walk_that_a_change_makes_endless_is_ended(void) {
     CHECK_EQUAL(mesh.O[0], 3);
     mesh.O[0] = 0;
     mesh.O[3] = 3;
-    memcpy(whole_V, mesh.V, 6 * sizeof *whole_V);
-    memcpy(whole_O, mesh.O, 6 * sizeof *whole_O);
+    keep_whole();
     for (after = 0; after <= survey_bound(); after++) {
         refused += survey_changed(false, after, &mesh.O[0], 3, &mesh.O[3], 0) == NOOK_BAD_OPPOSITE;
     }
@@ -413,8 +416,7 @@ static void a_vertex_out_of_range_ends_the_survey(void) {
     begin_tables(6, 8);
     set_V(octahedron);
     link_whole();
-    memcpy(whole_V, mesh.V, sizeof octahedron * sizeof *whole_V);
-    memcpy(whole_O, mesh.O, sizeof octahedron * sizeof *whole_O);
+    keep_whole();
     CHECK_EQUAL(survey_changed(false, 0, &mesh.V[0], 0, &mesh.V[0], 0), NOOK_OK);
     for (c = 0; c < 24; c++) {
         CHECK_EQUAL(survey_changed(false, 0, &mesh.V[c], 6, &mesh.V[c], 6), NOOK_BAD_OPPOSITE);

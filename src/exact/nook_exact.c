@@ -1,7 +1,6 @@
 /* nook_exact.c -- the three stages of nook_exact.h, and the exact volume. */
 #include "exact/nook_exact.h"
 
-
 /* Stages are kept apart so that only the deepest counts for the stack. */
 #ifdef __GNUC__
 #define APART __attribute__((noinline))
@@ -11,7 +10,7 @@
 
 static const uint32_t one = 0x3F800000u; /* the float 1 as bits */
 
-enum { UNDECIDED = 2 };
+enum { UNDECIDED = 2, NO_AXIS = 3 };
 
 /* The two axes that follow an axis. */
 static uint32_t first_after(uint32_t axis) { return axis == 2u ? 0 : axis + 1u; }
@@ -259,17 +258,16 @@ APART static int orient3d_by_sum(const nook_point *const *p) {
     return sign_of_sum(sum, SUM_WORDS);
 }
 
-/* Add to a sum the determinant of three rows, of coordinates u, v and z, or 1 where u and v are not x and y. */
-static void add_determinant(uint32_t *sum, uint32_t words, const nook_point *const *p, uint32_t u,
-                            uint32_t v) {
-    uint32_t i, j;
+/* Add to a sum the determinant of three rows x y z or, against an axis, of the other two coordinates and 1. */
+static void add_determinant(uint32_t *sum, uint32_t words, const nook_point *const *p, uint32_t axis) {
+    uint32_t u = axis == NO_AXIS ? 0 : first_after(axis), v = axis == NO_AXIS ? 1u : second_after(axis), i, j;
     for (i = 0; i < 3u; i++) {
         for (j = 0; j < 3u; j++) {
             product xy;
             if (i == j) continue;
             xy = product_of(bits_of(p[i], u), bits_of(p[j], v));
             xy.sign ^= (i + j + (uint32_t)(i > j) + 1u) << 31;
-            add_product(sum, words, &xy, u + v == 1u ? bits_of(p[3u - i - j], 2) : one);
+            add_product(sum, words, &xy, axis == NO_AXIS ? bits_of(p[3u - i - j], 2) : one);
         }
     }
 }
@@ -277,7 +275,7 @@ static void add_determinant(uint32_t *sum, uint32_t words, const nook_point *con
 APART static int orient2d_by_sum(const nook_point *const *p, uint32_t axis) {
     uint32_t sum[SUM_WORDS];
     clear(sum, SUM_WORDS);
-    add_determinant(sum, SUM_WORDS, p, first_after(axis), second_after(axis));
+    add_determinant(sum, SUM_WORDS, p, axis);
     return sign_of_sum(sum, SUM_WORDS);
 }
 
@@ -337,7 +335,7 @@ void nook_volume_clear(nook_volume *volume) { clear(volume->word, NOOK_VOLUME_WO
 
 void nook_volume_add(nook_volume *volume, const nook_point *a, const nook_point *b, const nook_point *c) {
     const nook_point *const p[3] = {a, b, c};
-    add_determinant(volume->word, NOOK_VOLUME_WORDS, p, 0, 1);
+    add_determinant(volume->word, NOOK_VOLUME_WORDS, p, NO_AXIS);
 }
 
 void nook_volume_merge(nook_volume *volume, const nook_volume *other) {

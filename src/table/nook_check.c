@@ -132,6 +132,11 @@ static nook_status begin_survey(nook_check_state *s) {
     return conclude(s);
 }
 
+static void conclude_solid(nook_check_result *r) {
+    r->inside_out = truth(r->geometry.volume_sign < 0);
+    if (r->survey.components != 1u) r->geometry.convex = NOOK_NO;
+}
+
 /* The survey or the geometry: NOOK_OK while there is more to do. */
 static nook_status inner(nook_check_state *s, uint32_t *units) {
     nook_status status = s->phase == SURVEY ? nook_survey_step(&s->in.survey, units)
@@ -142,7 +147,7 @@ static nook_status inner(nook_check_state *s, uint32_t *units) {
         return status;
     }
     if (s->phase == SURVEY) return conclude(s);
-    if (s->in.geometry.closed) s->result->inside_out = truth(s->result->geometry.volume_sign < 0);
+    if (s->in.geometry.closed) conclude_solid(s->result);
     s->phase = FINISHED;
     return NOOK_OK;
 }
@@ -242,7 +247,7 @@ nook_status nook_check(const nook_view *view, const nook_marks *marks, const noo
     nook_status status = nook_check_begin(&state, view, marks, report, shells, finder, result);
     if (status != NOOK_OK) return status;
     do {
-        units = UINT32_MAX;
+        units = 1u << 12;
         status = nook_check_step(&state, &units);
     } while (status == NOOK_MORE);
     return status;
@@ -251,7 +256,7 @@ nook_status nook_check(const nook_view *view, const nook_marks *marks, const noo
 bool nook_is_sound(const nook_check_result *r) {
     const nook_geometry *g = &r->geometry;
     return tables_are_good(r) && r->manifold == NOOK_YES && r->watertight == NOOK_YES &&
-           r->oriented == NOOK_YES && r->duplicate_triangles == 0 && r->bad_coordinates == 0 && g->known && g->volume_sign > 0 &&
-           g->inside_out_shells == 0 && g->flat_shells == 0 && g->zero_area_triangles == 0 &&
-           g->folded_edges == 0;
+           r->oriented == NOOK_YES && r->duplicate_triangles == 0 && r->bad_coordinates == 0 && g->known &&
+           g->volume_sign > 0 && g->inside_out_shells == 0 && g->flat_shells == 0 &&
+           g->zero_area_triangles == 0 && g->folded_edges == 0;
 }

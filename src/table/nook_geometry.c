@@ -18,7 +18,7 @@ enum phase {
     SPAN,
     SIDES,
     LAYERS,
-    SLIVERS,
+    DOUBTFUL,
     FINISHED
 };
 
@@ -55,8 +55,6 @@ static uint32_t size_exponent(const nook_geometry_state *s) {
     return nook_exponent(most > size.z ? most : size.z);
 }
 
-static float scale_of(const nook_geometry_state *s) { return nook_power_of_two(254u - size_exponent(s)); }
-
 static nook_point middle(const nook_geometry *r) {
     nook_point half = nook_scaled(nook_sub(r->box_max, r->box_min), 0.5f);
     return nook_make(r->box_min.x + half.x, r->box_min.y + half.y, r->box_min.z + half.z);
@@ -67,11 +65,11 @@ static nook_point relative(const nook_geometry_state *s, uint32_t c, nook_point 
 }
 
 static void measure_surface(nook_geometry_state *s, uint32_t t) {
-    float scale = s->in.surface.scale;
+    float scale = s->in.mass.scale;
     nook_point ab = relative(s, 3u * t + 1u, *point(s, 3u * t), scale);
     nook_point ac = relative(s, 3u * t + 2u, *point(s, 3u * t), scale);
     nook_shell *shell = nook_shell_of(s->shells, t);
-    nook_add(&s->in.surface.area, 0.5f * nook_length(nook_cross(ab, ac)));
+    nook_add(&s->in.mass.sum[0], 0.5f * nook_length(nook_cross(ab, ac)));
     nook_volume_add(shell != NULL ? &shell->volume : &s->result->volume, point(s, 3u * t),
                     point(s, 3u * t + 1u), point(s, 3u * t + 2u));
 }
@@ -114,28 +112,28 @@ static float tetrahedron(const nook_geometry_state *s, uint32_t t, nook_point or
 static void add_mass(nook_geometry_state *s, uint32_t t) {
     nook_point p[3];
     float volume = tetrahedron(s, t, middle(s->result), s->in.mass.scale, p), quarter = 0.25f * volume;
-    nook_add(&s->in.mass.volume, volume);
-    nook_add(&s->in.mass.moment[0], quarter * (p[0].x + p[1].x + p[2].x));
-    nook_add(&s->in.mass.moment[1], quarter * (p[0].y + p[1].y + p[2].y));
-    nook_add(&s->in.mass.moment[2], quarter * (p[0].z + p[1].z + p[2].z));
+    nook_add(&s->in.mass.sum[0], volume);
+    nook_add(&s->in.mass.sum[1], quarter * (p[0].x + p[1].x + p[2].x));
+    nook_add(&s->in.mass.sum[2], quarter * (p[0].y + p[1].y + p[2].y));
+    nook_add(&s->in.mass.sum[3], quarter * (p[0].z + p[1].z + p[2].z));
 }
 
 static void finish_mass(nook_geometry_state *s) {
     nook_geometry *r = s->result;
     nook_point m = middle(r);
-    float volume = nook_sum_value(&s->in.mass.volume), back = nook_power_of_two(size_exponent(s));
+    float volume = nook_sum_value(&s->in.mass.sum[0]), back = nook_power_of_two(size_exponent(s));
     if (volume == 0) return;
-    r->centroid = nook_make(m.x + nook_sum_value(&s->in.mass.moment[0]) / volume * back,
-                            m.y + nook_sum_value(&s->in.mass.moment[1]) / volume * back,
-                            m.z + nook_sum_value(&s->in.mass.moment[2]) / volume * back);
+    r->centroid = nook_make(m.x + nook_sum_value(&s->in.mass.sum[1]) / volume * back,
+                            m.y + nook_sum_value(&s->in.mass.sum[2]) / volume * back,
+                            m.z + nook_sum_value(&s->in.mass.sum[3]) / volume * back);
 }
 
 /* Over a tetrahedron with one corner at the origin, the integral of x y is a twentieth of its volume
  * times the sum of x y over the corners and over the sum of the corners. */
 static void add_inertia(nook_geometry_state *s, uint32_t t) {
     nook_point p[3], sum;
-    float part = tetrahedron(s, t, s->result->centroid, s->in.inertia.scale, p) / 20.0f;
-    nook_sum *moment = s->in.inertia.moment;
+    float part = tetrahedron(s, t, s->result->centroid, s->in.mass.scale, p) / 20.0f;
+    nook_sum *moment = s->in.mass.sum;
     sum = nook_make(p[0].x + p[1].x + p[2].x, p[0].y + p[1].y + p[2].y, p[0].z + p[1].z + p[2].z);
     nook_add(&moment[0], part * (sum.x * sum.x + p[0].x * p[0].x + p[1].x * p[1].x + p[2].x * p[2].x));
     nook_add(&moment[1], part * (sum.x * sum.y + p[0].x * p[0].y + p[1].x * p[1].y + p[2].x * p[2].y));
@@ -149,7 +147,7 @@ static void finish_inertia(nook_geometry_state *s) {
     float back = nook_power_of_two(size_exponent(s)), m[6];
     uint32_t i;
     for (i = 0; i < 6u; i++) {
-        m[i] = nook_sum_value(&s->in.inertia.moment[i]) * back * back * back * back * back;
+        m[i] = nook_sum_value(&s->in.mass.sum[i]) * back * back * back * back * back;
         if (s->result->volume_sign < 0) m[i] = -m[i];
     }
     s->result->inertia[0] = m[3] + m[5];
@@ -269,10 +267,12 @@ static uint32_t look_at_layer(nook_geometry_state *s, uint32_t t) {
     return price;
 }
 
-/* A triangle with an area beside one without. */
-static bool is_beside_sliver(const nook_geometry_state *s, uint32_t t) {
+/* A triangle with an area of which edges and layers do not tell: beside one without, or on a surface that goes
+ * round more than once. */
+static bool is_doubtful(const nook_geometry_state *s, uint32_t t) {
     uint32_t i, axis;
     if (area_sign(s, t, &axis) == 0) return false;
+    if (s->in.hull.layers != 1u) return true;
     for (i = 0; i < 3u; i++) {
         uint32_t o = s->view.O[3u * t + i];
         if (o < 3u * s->view.nt && area_sign(s, nook_triangle(o), &axis) == 0) return true;
@@ -280,10 +280,10 @@ static bool is_beside_sliver(const nook_geometry_state *s, uint32_t t) {
     return false;
 }
 
-/* Hold triangle t against the next vertex; s->at stays until all have been. */
-static uint32_t look_beside_sliver(nook_geometry_state *s, uint32_t t) {
+/* Hold a doubtful triangle against the next vertex; s->at stays until all have been. */
+static uint32_t look_at_doubtful(nook_geometry_state *s, uint32_t t) {
     uint32_t v = s->in.hull.v++;
-    if (v == 0 && !is_beside_sliver(s, t)) {
+    if (v == 0 && !is_doubtful(s, t)) {
         s->in.hull.v = 0;
         return 12 * ORIENT2D;
     }
@@ -324,7 +324,7 @@ static uint32_t visit(nook_geometry_state *s, uint32_t i) {
     case SPAN: return span(s, i);
     case SIDES: return look_at_side(s, i);
     case LAYERS: return look_at_layer(s, i);
-    default: return look_beside_sliver(s, i);
+    default: return look_at_doubtful(s, i);
     }
 }
 
@@ -333,41 +333,33 @@ static bool is_decided(const nook_geometry_state *s) {
     return s->result->volume_sign == 0 || s->result->witness_vertex != NOOK_NONE;
 }
 
+static bool is_over(const nook_geometry_state *s) {
+    return s->at == length(s) || (s->phase > EDGES && is_decided(s));
+}
+
+static void finish_surface(nook_geometry_state *s) {
+    float back = nook_power_of_two(size_exponent(s));
+    s->result->area = nook_sum_value(&s->in.mass.sum[0]) * back * back;
+}
+
+/* Every pass begins with its part of the state cleared, but for those about the hull. */
 static void next_pass(nook_geometry_state *s) {
-    nook_geometry *r = s->result;
     s->at = 0;
     switch (s->phase++) {
-    case CLEAR: s->in.surface.scale = scale_of(s); return;
-    case SURFACE:
-        r->area = nook_sum_value(&s->in.surface.area);
-        r->area *= nook_power_of_two(size_exponent(s));
-        r->area *= nook_power_of_two(size_exponent(s));
-        return;
-    case SHELLS:
-        finish_volume(s);
-        memset(&s->in, 0, sizeof s->in);
-        s->in.mass.scale = scale_of(s);
-        if (r->volume_sign == 0) s->phase = AREAS;
-        return;
-    case MASS:
-        finish_mass(s);
-        memset(&s->in, 0, sizeof s->in);
-        s->in.inertia.scale = scale_of(s);
-        return;
-    case INERTIA:
-        finish_inertia(s);
-        memset(&s->in, 0, sizeof s->in);
-        return;
-    case EDGES:
-    case SIDES:
-        if (is_decided(s)) s->phase = FINISHED;
-        return;
+    case SURFACE: finish_surface(s); break;
+    case SHELLS: finish_volume(s); break;
+    case MASS: finish_mass(s); break;
+    case INERTIA: finish_inertia(s); break;
     case LAYERS:
-        if (r->zero_area_triangles == 0) s->phase = FINISHED;
+        if (s->result->zero_area_triangles == 0 && s->in.hull.layers == 1u) s->phase = FINISHED;
         break;
     default: break;
     }
-    if (s->phase == FINISHED && !is_decided(s) && s->in.hull.layers == 1u) r->convex = NOOK_YES;
+    if (s->phase == MASS && s->result->volume_sign == 0) s->phase = AREAS;
+    if (s->phase > EDGES && is_decided(s)) s->phase = FINISHED;
+    if (s->phase == FINISHED && s->result->convex == NOOK_NO && !is_decided(s)) s->result->convex = NOOK_YES;
+    if (s->phase <= SPAN) memset(&s->in, 0, sizeof s->in);
+    if (s->phase <= INERTIA) s->in.mass.scale = nook_power_of_two(254u - size_exponent(s));
 }
 
 nook_status nook_geometry_step(nook_geometry_state *s, uint32_t *units) {
@@ -377,7 +369,7 @@ nook_status nook_geometry_step(nook_geometry_state *s, uint32_t *units) {
         *units -= paid;
         if (s->debt != 0) return NOOK_MORE;
         if (s->phase == FINISHED) return NOOK_OK;
-        if (s->at == length(s)) {
+        if (is_over(s)) {
             next_pass(s);
         } else if (*units == 0) {
             return NOOK_MORE;

@@ -29,13 +29,12 @@ typedef struct nook_geometry {
     float signed_volume; /* rounded once */
     nook_point centroid; /* of the solid; 0 without volume */
     float inertia[6];    /* of the solid about its centroid, density 1: xx, xy, xz, yy, yz, zz (as in URDF) */
-    nook_truth
-        convex; /* one shell with a volume, wound once, and no vertex outside the plane of a triangle */
-    uint32_t witness_vertex, witness_triangle; /* if not convex: a vertex outside the plane of a triangle, or
-                                                  NOOK_NONE where there is none (no volume, wound twice) */
-    uint32_t
-        inside_out_shells; /* closed, oriented shells of negative volume; without shells, the mesh is one */
-    uint32_t flat_shells;  /* the same of no volume */
+    /* It has a volume, and no vertex is outside the plane of a triangle. If not convex, such a vertex and triangle
+     * are the witness; NOOK_NONE without volume. */
+    nook_truth convex;
+    uint32_t witness_vertex, witness_triangle;
+    /* Closed, oriented shells of negative and of no volume; without shells the whole mesh is one. */
+    uint32_t inside_out_shells, flat_shells;
 } nook_geometry;
 
 typedef struct nook_geometry_state {
@@ -48,17 +47,9 @@ typedef struct nook_geometry_state {
     bool closed;
     union {
         struct {
-            nook_sum area;
-            float scale;
-        } surface;
-        struct {
-            nook_sum volume, moment[3];
-            float scale;
+            float scale;     /* brings the box to about 1 */
+            nook_sum sum[6]; /* area; or volume and three moments; or six second moments */
         } mass;
-        struct {
-            nook_sum moment[6]; /* xx, xy, xz, yy, yz, zz */
-            float scale;
-        } inertia;
         struct {
             uint32_t vertex[4], found; /* four vertices that span a volume */
             uint32_t axis;             /* against which the first three turn */
@@ -76,10 +67,10 @@ typedef struct nook_geometry_state {
  *   finder  hears of NOOK_ZERO_AREA_TRIANGLE, NOOK_FOLDED_EDGE, NOOK_INSIDE_OUT, NOOK_FLAT_SHELL; or null
  *   NOOK_NULL_ARGUMENT
  * Convexity takes one pass: every edge convex or flat, four vertices that span a volume on the inner
- * side of every triangle, and one triangle above a point between them (Mehlhorn et al. 1999). Beside
- * triangles without area there is no edge to judge; the triangles next to those are held against all
- * vertices.
- * Steps: less than 140 nt + 13 nv + 20 units; with z > 0 triangles without area 50 nt + 30 z nv more.
+ * side of every triangle, and one triangle above a point between them (Mehlhorn et al. 1999). Where that does
+ * not tell, triangles are held against all vertices: k of them beside triangles without area, or all
+ * if the surface goes round more than once.
+ * Steps: less than 140 nt + 13 nv + 20 units; with k > 0 such triangles 50 nt + 10 k nv more.
  * About 40 nt on a mesh with a concave edge, 90 nt on a convex one. A unit is at most 450 instructions on
  * M4F; exact signs are paid at their worst, 9 units for orient3d and 4 for orient2d, so the mean is far
  * less. What is begun is done: a call may overdraw its units by 56, and the next calls pay first. */

@@ -1,0 +1,492 @@
+/* test_geometry.c -- edges, convexity, volume, mass, against definitions computed the long way.
+ *
+ * Coordinates are small integers, so that every oracle here is plain integer arithmetic; that signs hold for
+ * all other floats is test_exact.c's business. Convexity is judged by all pairs of vertices and triangles. */
+#include "rooms.h"
+#include "shapes.h"
+
+#include <string.h>
+
+static uint32_t told[NOOK_STATUS_COUNT];
+static nook_where last[NOOK_STATUS_COUNT];
+static void hear(void *user, nook_status defect, nook_where where) {
+    (void)user;
+    told[defect]++;
+    last[defect] = where;
+}
+static const nook_finder finder = {hear, NULL};
+static const nook_geometry *const g = &b.result.geometry;
+
+static void examine(void) {
+    memset(told, 0, sizeof told);
+    CHECK_EQUAL(link_and_check(&finder), NOOK_OK);
+}
+
+/* ---- the oracle ---------------------------------------------------------------------------------------- */
+
+typedef struct spot {
+    int64_t x, y, z;
+} spot;
+
+static spot spot_of(uint32_t v) {
+    spot s = {(int64_t)b.mesh.G[v].x, (int64_t)b.mesh.G[v].y, (int64_t)b.mesh.G[v].z};
+    return s;
+}
+
+static spot normal_of(uint32_t t) {
+    spot p = spot_of(b.mesh.V[3 * t]), q = spot_of(b.mesh.V[3 * t + 1]), r = spot_of(b.mesh.V[3 * t + 2]), n;
+    n.x = (q.y - p.y) * (r.z - p.z) - (q.z - p.z) * (r.y - p.y);
+    n.y = (q.z - p.z) * (r.x - p.x) - (q.x - p.x) * (r.z - p.z);
+    n.z = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    return n;
+}
+
+static int64_t dot(spot p, spot q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+
+static int64_t height(uint32_t t, uint32_t v) {
+    spot p = spot_of(b.mesh.V[3 * t]), q = spot_of(v);
+    spot up = {q.x - p.x, q.y - p.y, q.z - p.z};
+    return dot(normal_of(t), up);
+}
+
+static bool has_area(uint32_t t) { return dot(normal_of(t), normal_of(t)) != 0; }
+
+static int64_t six_volumes(void) {
+    int64_t sum = 0;
+    uint32_t t;
+    for (t = 0; t < b.mesh.nt; t++) sum += dot(normal_of(t), spot_of(b.mesh.V[3 * t]));
+    return sum;
+}
+
+static bool is_used(uint32_t v) {
+    uint32_t c;
+    for (c = 0; c < 3 * b.mesh.nt; c++) {
+        if (b.mesh.V[c] == v) return true;
+    }
+    return false;
+}
+
+/* Every vertex on or inside every plane. */
+static bool is_convex(int64_t facing) {
+    uint32_t t, v;
+    for (t = 0; t < b.mesh.nt; t++) {
+        for (v = 0; v < b.mesh.nv; v++) {
+            if (has_area(t) && is_used(v) && facing * height(t, v) > 0) return false;
+        }
+    }
+    return true;
+}
+
+/* Compare everything; b.result is of b.mesh, whose O is taken as it is. */
+static void compare(void) {
+    uint32_t c, t, concave = 0, convex = 0, flat = 0, folded = 0, thin = 0;
+    bool closed = b.result.watertight == NOOK_YES && b.result.oriented == NOOK_YES;
+    int64_t six = closed ? six_volumes() : 0, facing = six < 0 ? -1 : 1;
+    for (t = 0; t < b.mesh.nt; t++) thin += !has_area(t);
+    for (c = 0; c < 3 * b.mesh.nt; c++) {
+        uint32_t o = b.mesh.O[c];
+        int64_t up = facing * height(c / 3, b.mesh.V[o]);
+        if (o <= c) continue;
+        concave += up > 0;
+        convex += up < 0;
+        if (up != 0 || !has_area(c / 3) || !has_area(o / 3)) continue;
+        flat += dot(normal_of(c / 3), normal_of(o / 3)) > 0;
+        folded += dot(normal_of(c / 3), normal_of(o / 3)) < 0;
+    }
+    CHECK(g->known);
+    CHECK_EQUAL(g->concave_edges, concave);
+    CHECK_EQUAL(g->convex_edges, convex);
+    CHECK_EQUAL(g->flat_edges, flat);
+    CHECK_EQUAL(g->folded_edges, folded);
+    CHECK_EQUAL(told[NOOK_FOLDED_EDGE], folded);
+    CHECK_EQUAL(g->zero_area_triangles, thin);
+    CHECK_EQUAL(told[NOOK_ZERO_AREA_TRIANGLE], thin);
+    CHECK_EQUAL(g->volume_sign, (six > 0) - (six < 0));
+    if (!closed) {
+        CHECK_EQUAL(g->convex, NOOK_MAYBE);
+        CHECK_EQUAL(g->witness_vertex, NOOK_NONE);
+        CHECK(g->signed_volume == 0);
+        return;
+    }
+    CHECK(g->signed_volume == (float)six / 6.0f);
+    CHECK_EQUAL(g->convex,
+                b.result.survey.components == 1 && six != 0 && is_convex(facing) ? NOOK_YES : NOOK_NO);
+    if (g->witness_vertex == NOOK_NONE) {
+        CHECK_EQUAL(g->witness_triangle, NOOK_NONE);
+        CHECK(g->convex == NOOK_YES || six == 0 || is_convex(facing));
+    } else {
+        CHECK(facing * height(g->witness_triangle, g->witness_vertex) > 0);
+    }
+}
+
+static void turn_all_over(void) {
+    uint32_t t;
+    for (t = 0; t < b.mesh.nt; t++) turn_over(t);
+}
+
+/* As it stands, turned over, and both again shuffled. */
+static void compare_all_ways(void) {
+    uint32_t i;
+    dice d = {17u};
+    for (i = 0; i < 4 && !test_has_failed(); i++) {
+        if (i == 2) shuffle(&d);
+        examine();
+        compare();
+        turn_all_over();
+    }
+}
+
+/* ---- shapes --------------------------------------------------------------------------------------------- */
+
+static void edges_and_convexity_of_all_shapes_are_those_of_the_definition(void) {
+    uint32_t i;
+    for (i = 0; i < shape_count && !test_has_failed(); i++) {
+        uint32_t v;
+        shapes[i].build();
+        for (v = 0; v < b.mesh.nv; v++) { /* to integers */
+            nook_point p = nook_scaled(b.mesh.G[v], 50);
+            place(v, (float)(int32_t)p.x, (float)(int32_t)p.y, (float)(int32_t)p.z);
+        }
+        if (b.mesh.nt <= 128) compare_all_ways();
+    }
+}
+
+static void a_cube_has_12_convex_and_6_flat_edges_and_is_convex(void) {
+    cube();
+    examine();
+    CHECK_EQUAL(g->convex_edges, 12);
+    CHECK_EQUAL(g->flat_edges, 6);
+    CHECK_EQUAL(g->concave_edges + g->folded_edges + g->zero_area_triangles, 0);
+    CHECK_EQUAL(g->convex, NOOK_YES);
+    CHECK_EQUAL(g->witness_vertex, NOOK_NONE);
+    compare();
+}
+
+/* A cube from 0 to 8, each face cut into four triangles about its middle; the middles are vertices 8 to 13. */
+static void cut_face(const uint8_t corner[4], uint32_t *next) {
+    nook_point *G = b.mesh.G;
+    uint32_t m = (*next)++, i;
+    nook_point p = G[corner[0]], q = G[corner[2]];
+    place(m, (p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2);
+    b.mesh.nv = *next;
+    for (i = 0; i < 4; i++) add(m, corner[i], corner[(i + 1) % 4]);
+}
+
+static void cut_cube(void) {
+    static const uint8_t face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    uint32_t i, next = 8;
+    begin_shape(8);
+    for (i = 0; i < 8; i++) place(i, i & 1 ? 8.0f : 0, i & 2 ? 8.0f : 0, i & 4 ? 8.0f : 0);
+    for (i = 0; i < 6; i++) cut_face(face[i], &next);
+}
+
+/* The face x = 1 of the cube gets a point of its own: in the plane, pushed out, pushed in. */
+static void a_dent_is_concave_and_names_a_vertex_outside_a_triangle(void) {
+    uint32_t push;
+    for (push = 0; push < 3; push++) {
+        cut_cube();
+        place(13, push == 0 ? 8 : push == 1 ? 9 : 7, 4, 4);
+        examine();
+        compare();
+        CHECK_EQUAL(g->concave_edges, push == 2 ? 4 : 0);
+        CHECK_EQUAL(g->convex, push == 2 ? NOOK_NO : NOOK_YES);
+        CHECK_EQUAL(g->witness_vertex != NOOK_NONE, push == 2);
+    }
+}
+
+/* Random closed surfaces: two triangulated cones over one polygon, all coordinates a small grid, so that
+ * coplanar, folded, thin and coincident parts are common. */
+static void random_double_cones_on_a_grid(void) {
+    dice d = {1234567u};
+    uint32_t round, i, convex = 0, thin = 0, folded = 0, rounds = NOOK_TEST_RAM < 2000000 ? 1500 : 20000;
+    for (round = 0; round < rounds && !test_has_failed(); round++) {
+        uint32_t n = 3 + throw_dice(&d, 4), size = 2 + throw_dice(&d, 3);
+        begin_shape(n + 2);
+        for (i = 0; i < n + 2; i++) {
+            uint32_t x = throw_dice(&d, size), y = throw_dice(&d, size);
+            place(i, (float)x, (float)y, (float)throw_dice(&d, size) - 1);
+        }
+        for (i = 0; i < n; i++) {
+            add(n, i, (i + 1) % n);
+            add(n + 1, (i + 1) % n, i);
+        }
+        examine();
+        compare();
+        convex += g->convex == NOOK_YES;
+        thin += g->convex == NOOK_YES && g->zero_area_triangles != 0;
+        folded += g->folded_edges != 0;
+    }
+    CHECK(convex > rounds / 100);
+    CHECK(thin > 0);
+    CHECK(folded > rounds / 100);
+}
+
+/* Put a vertex on the middle of the edge that corner c faces, and triangles without area between: each side
+ * keeps its triangle, and a sliver closes the gap. */
+static void add_sliver(uint32_t c) {
+    uint32_t from = b.mesh.V[nook_next(c)], to = b.mesh.V[nook_prev(c)], m = b.mesh.nv++, t = c / 3;
+    nook_point p = b.mesh.G[from], q = b.mesh.G[to];
+    uint32_t tip = b.mesh.V[c];
+    place(m, (p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2);
+    b.mesh.V[3 * t] = nook_store(tip);
+    b.mesh.V[3 * t + 1] = nook_store(from);
+    b.mesh.V[3 * t + 2] = nook_store(m);
+    add(tip, m, to);
+    add(m, from, to);
+}
+
+static void slivers_do_not_hide_what_is_not_convex(void) {
+    dice d = {99u};
+    uint32_t round, i, convex = 0, rounds = NOOK_TEST_RAM < 2000000 ? 100 : 1500;
+    for (round = 0; round < rounds && !test_has_failed(); round++) {
+        uint32_t slivers = 1 + throw_dice(&d, 6);
+        cut_cube();
+        if (round % 3 == 1) place(8, 4, 4, -1 + (float)throw_dice(&d, 3));
+        if (round % 3 == 2) place(throw_dice(&d, 8), 4, 3, 4);
+        for (i = 0; i < b.mesh.nv; i++) b.mesh.G[i] = nook_scaled(b.mesh.G[i], 64);
+        for (i = 0; i < slivers; i++) add_sliver(throw_dice(&d, 3 * b.mesh.nt));
+        if (round & 1) turn_all_over();
+        examine();
+        compare();
+        convex += g->convex == NOOK_YES;
+    }
+    CHECK(convex > rounds / 4);
+    CHECK(convex < rounds * 3 / 4);
+}
+
+/* {5/2}: the pentagram as a double cone. Every edge is convex, but it goes round twice. */
+static void a_surface_that_goes_round_twice_is_judged_by_its_vertices(void) {
+    static const int8_t at[5][2] = {{30, 0}, {9, 29}, {-24, 18}, {-24, -18}, {9, -29}};
+    uint32_t i, step;
+    for (step = 1; step <= 2; step++) {
+        begin_shape(7);
+        for (i = 0; i < 5; i++) place(i, at[i * step % 5][0], at[i * step % 5][1], 0);
+        place(5, 0, 0, 20);
+        place(6, 0, 0, -20);
+        for (i = 0; i < 5; i++) {
+            add(5, i, (i + 1) % 5);
+            add(6, (i + 1) % 5, i);
+        }
+        examine();
+        CHECK_EQUAL(g->convex_edges, 15);
+        CHECK_EQUAL(g->convex, step == 1 ? NOOK_YES : NOOK_NO);
+        compare_all_ways();
+    }
+    /* A triangle twice round, with equal points: no vertex is outside. */
+    begin_shape(8);
+    for (i = 0; i < 6; i++) place(i, i % 3 == 0 ? 9 : -5, i % 3 == 1 ? 9 : i % 3 == 2 ? -9 : 0, 0);
+    place(6, 0, 0, 20);
+    place(7, 0, 0, -20);
+    for (i = 0; i < 6; i++) {
+        add(6, i, (i + 1) % 6);
+        add(7, (i + 1) % 6, i);
+    }
+    examine();
+    CHECK_EQUAL(g->convex_edges, 18);
+    compare();
+    CHECK_EQUAL(g->convex, NOOK_YES);
+}
+
+static void two_shells_are_never_convex(void) {
+    uint32_t v;
+    shapes[14].build();
+    examine();
+    CHECK_EQUAL(g->convex, NOOK_NO);
+    compare();
+    for (v = 0; v < 4; v++) b.mesh.G[v] = b.mesh.G[v + 4]; /* coincident */
+    examine();
+    CHECK_EQUAL(g->convex, NOOK_NO);
+    for (v = 0; v < 4; v++) b.mesh.G[v] = nook_scaled(b.mesh.G[v + 4], 2);
+    examine();
+    CHECK_EQUAL(g->convex, NOOK_NO);
+}
+
+/* ---- volume and mass ------------------------------------------------------------------------------------- */
+
+/* A brick so thin and so far away that a float sum gets its sign by chance. */
+static void a_thin_far_shell_knows_its_inside(void) {
+    uint32_t i, v;
+    for (i = 0; i < 40 && !test_has_failed(); i++) {
+        cube();
+        for (v = 0; v < 8; v++) {
+            nook_point p = b.mesh.G[v];
+            uint32_t bits = nook_float_bits(1000003.0f) + (p.z != 0) + i;
+            place(v, p.x * 3000 + 777777, p.y * 3000 - 999999, nook_float_from(bits));
+        }
+        if (i % 2) turn_all_over();
+        examine();
+        CHECK_EQUAL(g->volume_sign, i % 2 ? -1 : 1);
+        CHECK_EQUAL(told[NOOK_INSIDE_OUT], i % 2);
+        CHECK(g->signed_volume == (i % 2 ? -562500.0f : 562500.0f));
+        CHECK(b.shell[0].signed_volume == g->signed_volume);
+        CHECK_EQUAL(g->convex, NOOK_YES);
+    }
+}
+
+static bool near(float got, float expected, float error) {
+    float off = got - expected;
+    return off <= error && -off <= error;
+}
+
+static void a_brick_has_the_centroid_and_inertia_of_the_formula(void) {
+    static const float place_at[][3] = {{0, 0, 0}, {100, -50, 7}, {-3000, 2000, 1000}};
+    uint32_t i, v, over;
+    for (i = 0; i < 3; i++) {
+        for (over = 0; over < 2; over++) {
+            const float *o = place_at[i], m = 2 * 4 * 6;
+            cube();
+            for (v = 0; v < 8; v++) {
+                place(v, o[0] + 2 * b.mesh.G[v].x, o[1] + 4 * b.mesh.G[v].y, o[2] + 6 * b.mesh.G[v].z);
+            }
+            if (over) turn_all_over();
+            examine();
+            CHECK(g->signed_volume == (over ? -m : m));
+            CHECK(near(g->centroid.x, o[0] + 1, 1e-3f) && near(g->centroid.y, o[1] + 2, 1e-3f));
+            CHECK(near(g->centroid.z, o[2] + 3, 1e-3f));
+            CHECK(near(g->inertia[0], m / 12 * (16 + 36), 1e-3f * m) && near(g->inertia[1], 0, 1e-3f * m));
+            CHECK(near(g->inertia[3], m / 12 * (4 + 36), 1e-3f * m) && near(g->inertia[2], 0, 1e-3f * m));
+            CHECK(near(g->inertia[5], m / 12 * (4 + 16), 1e-3f * m) && near(g->inertia[4], 0, 1e-3f * m));
+        }
+    }
+}
+
+/* With corners at the origin and on the axes at a, b, c: centroid (a b c) / 4, products -V a b / 20 about the
+ * origin, and V a b / 80 more about the centroid. */
+static void a_corner_tetrahedron_has_its_products_of_inertia(void) {
+    float v = 2.0f * 3 * 5 / 6;
+    tetrahedron();
+    place(0, 0, 0, 0);
+    place(1, 2, 0, 0);
+    place(2, 0, 3, 0);
+    place(3, 0, 0, 5);
+    examine();
+    if (g->volume_sign < 0) {
+        turn_all_over();
+        examine();
+    }
+    CHECK(near(g->signed_volume, v, 1e-5f));
+    CHECK(near(g->centroid.x, 0.5f, 1e-6f) && near(g->centroid.y, 0.75f, 1e-6f));
+    CHECK(near(g->centroid.z, 1.25f, 1e-6f));
+    CHECK(near(g->inertia[1], v * 6 / 80, 1e-5f) && near(g->inertia[2], v * 10 / 80, 1e-5f));
+    CHECK(near(g->inertia[4], v * 15 / 80, 1e-5f));
+    CHECK(near(g->inertia[0], v * 3 / 80 * (9 + 25), 2e-5f) &&
+          near(g->inertia[3], v * 3 / 80 * (4 + 25), 2e-5f));
+    CHECK(near(g->inertia[5], v * 3 / 80 * (4 + 9), 2e-5f));
+}
+
+/* Scaled by a power of two, everything scales exactly, down to where floats end. */
+static void mass_scales_with_the_mesh(void) {
+    static const int32_t exponent[] = {-20, -10, 10, 20};
+    uint32_t i, k, v;
+    nook_geometry whole;
+    shapes[5].build();
+    examine();
+    whole = *g;
+    for (i = 0; i < 4; i++) {
+        float s = nook_power_of_two((uint32_t)(127 + exponent[i]));
+        shapes[5].build();
+        for (v = 0; v < b.mesh.nv; v++) b.mesh.G[v] = nook_scaled(b.mesh.G[v], s);
+        examine();
+        CHECK(g->area == whole.area * s * s);
+        CHECK(g->signed_volume == whole.signed_volume * s * s * s);
+        CHECK(g->centroid.x == whole.centroid.x * s && g->centroid.y == whole.centroid.y * s);
+        for (k = 0; k < 6; k++) CHECK(g->inertia[k] == whole.inertia[k] * s * s * s * s * s);
+        CHECK_EQUAL(g->concave_edges, whole.concave_edges);
+        CHECK_EQUAL(g->flat_edges, whole.flat_edges);
+    }
+}
+
+/* ---- the call ---------------------------------------------------------------------------------------------- */
+
+static void what_it_cannot_do_without_is_asked_for(void) {
+    nook_geometry_state state;
+    nook_geometry result;
+    nook_view view;
+    nook_shells broken = b.shells;
+    cube();
+    examine();
+    view = nook_view_of(&b.mesh);
+    CHECK_EQUAL(nook_geometry_begin(NULL, &view, true, NULL, NULL, &result), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_geometry_begin(&state, NULL, true, NULL, NULL, &result), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_geometry_begin(&state, &view, true, NULL, NULL, NULL), NOOK_NULL_ARGUMENT);
+    broken.component = NULL;
+    CHECK_EQUAL(nook_geometry_begin(&state, &view, true, &broken, NULL, &result), NOOK_NULL_ARGUMENT);
+    CHECK(sizeof state <= 256 && sizeof(nook_check_state) <= 256);
+}
+
+static nook_status run(bool closed, nook_shells *shells, uint32_t cut, uint32_t *spent,
+                       nook_geometry *result) {
+    nook_geometry_state state;
+    nook_view view = nook_view_of(&b.mesh);
+    nook_status status = nook_geometry_begin(&state, &view, closed, shells, NULL, result);
+    uint32_t calls = 0;
+    *spent = 0;
+    if (status != NOOK_OK) return status;
+    do {
+        uint32_t units = cut;
+        status = nook_geometry_step(&state, &units);
+        *spent += cut - units;
+    } while (status == NOOK_MORE && ++calls < 1000000);
+    return status;
+}
+
+static void units_are_the_same_however_they_are_cut_and_within_the_bound(void) {
+    static const uint32_t cuts[] = {1, 7, 1000, UINT32_MAX};
+    uint32_t i, k;
+    for (i = 0; i < shape_count; i++) {
+        uint32_t first = 0;
+        nook_geometry whole;
+        shapes[i].build();
+        if (b.mesh.nt > 128) continue;
+        examine();
+        for (k = 0; k < 4; k++) {
+            uint32_t spent;
+            nook_geometry result;
+            CHECK_EQUAL(run(b.result.watertight == NOOK_YES, NULL, cuts[k], &spent, &result), NOOK_OK);
+            CHECK(spent < 140 * b.mesh.nt + 13 * b.mesh.nv + 20);
+            if (k == 0) first = spent, whole = result;
+            CHECK_EQUAL(spent, first);
+            CHECK(memcmp(&result.volume, &whole.volume, sizeof result.volume) == 0);
+            CHECK(result.area == whole.area && result.convex == whole.convex);
+        }
+    }
+}
+
+/* Any bits in O: other answers, but within the bound and inside the arrays. */
+static void any_opposites_end_in_time(void) {
+    dice d = {5150u};
+    uint32_t round, c;
+    for (round = 0; round < 300; round++) {
+        uint32_t spent;
+        nook_geometry result;
+        cube();
+        if (round % 2) place(0, 0.5f, 0, 0);
+        CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+        for (c = 0; c < 36; c++) {
+            if (throw_dice(&d, 4) == 0)
+                b.mesh.O[c] = (nook_index)throw_dice(&d, throw_dice(&d, 2) ? 50u : UINT32_MAX);
+        }
+        CHECK_EQUAL(run(true, NULL, 100, &spent, &result), NOOK_OK);
+        CHECK(spent <= NOOK_CHECK_UNITS(12, 8, 12));
+    }
+}
+
+static const test tests[] = {
+    TEST(edges_and_convexity_of_all_shapes_are_those_of_the_definition),
+    TEST(a_cube_has_12_convex_and_6_flat_edges_and_is_convex),
+    TEST(a_dent_is_concave_and_names_a_vertex_outside_a_triangle),
+    TEST(random_double_cones_on_a_grid),
+    TEST(slivers_do_not_hide_what_is_not_convex),
+    TEST(a_surface_that_goes_round_twice_is_judged_by_its_vertices),
+    TEST(two_shells_are_never_convex),
+    TEST(a_thin_far_shell_knows_its_inside),
+    TEST(a_brick_has_the_centroid_and_inertia_of_the_formula),
+    TEST(a_corner_tetrahedron_has_its_products_of_inertia),
+    TEST(mass_scales_with_the_mesh),
+    TEST(what_it_cannot_do_without_is_asked_for),
+    TEST(units_are_the_same_however_they_are_cut_and_within_the_bound),
+    TEST(any_opposites_end_in_time),
+};
+
+void test_geometry(void) { run_tests(tests, sizeof tests / sizeof *tests); }
