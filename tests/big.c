@@ -201,6 +201,8 @@ int big_volume_sign(const nook_point *p, uint32_t n) {
     return sign_of_big(&sum);
 }
 
+/* No two throws in one expression: compilers order them as they like, and boards must see the same cases. */
+
 /* ---- cases ------------------------------------------------------------------------------------------- */
 
 static float unit(dice *d) { return (float)throw_dice(d, 0x1000000u) * 0x1p-23f - 1.0f; }
@@ -214,6 +216,8 @@ static float near(dice *d, float x) {
     uint32_t bits = nook_float_bits(x), throw = throw_dice(d, 3);
     return (bits & 0x7FFFFFFFu) < 2u ? x : finite(bits + throw -1u);
 }
+
+static float with_sign(dice *d, uint32_t bits) { return nook_float_from(bits | throw_dice(d, 2) << 31); }
 
 static float edge_case(dice *d) {
     static const uint32_t bits[] = {
@@ -232,10 +236,8 @@ static float one_coordinate(dice *d, uint32_t kind) {
     case CASE_GRID: return (float)throw_dice(d, 7) - 3.0f;
     case CASE_CAD: return cad(d);
     case CASE_BITS: return finite(throw_dice(d, UINT32_MAX));
-    case CASE_SUBNORMAL: return nook_float_from(throw_dice(d, 0x1000000u) | throw_dice(d, 2) << 31);
-    case CASE_EXPONENTS:
-        return nook_float_from((throw_dice(d, 8) << 20) + (throw_dice(d, 254) << 23) +
-                               (throw_dice(d, 2) << 31));
+    case CASE_SUBNORMAL: return with_sign(d, throw_dice(d, 0x1000000u));
+    case CASE_EXPONENTS: return with_sign(d, throw_dice(d, 254 * 8) << 20);
     case CASE_EDGES: return edge_case(d);
     default: return unit(d);
     }
@@ -261,7 +263,9 @@ uint32_t throw_case(dice *d, nook_point p[4]) {
         if (kind == CASE_COLLINEAR) p[2] = blend(p[0], p[1], p[1], s, 0);
         p[3] = blend(p[0], p[1], p[2], s * 0.5f + 0.5f, t * 0.5f);
         for (i = 0; i < 4u && kind != CASE_ON_TRIANGLE; i++) {
-            p[i] = nook_make(near(d, p[i].x), near(d, p[i].y), near(d, p[i].z));
+            p[i].x = near(d, p[i].x);
+            p[i].y = near(d, p[i].y);
+            p[i].z = near(d, p[i].z);
         }
         break;
     case CASE_SAME_PLANE:
@@ -274,7 +278,8 @@ uint32_t throw_case(dice *d, nook_point p[4]) {
     default: break;
     }
     /* Any two points may fall together, and any axis come first. */
-    if (throw_dice(d, 16) == 0) p[throw_dice(d, 4)] = p[throw_dice(d, 4)];
+    i = throw_dice(d, 64);
+    if (i < 4) p[i] = p[throw_dice(d, 4)];
     if (throw_dice(d, 3) == 0) {
         for (i = 0; i < 4u; i++) p[i] = nook_make(p[i].z, p[i].x, p[i].y);
     }

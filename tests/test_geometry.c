@@ -255,6 +255,24 @@ static void slivers_do_not_hide_what_is_not_convex(void) {
     CHECK(convex < rounds * 3 / 4);
 }
 
+/* Vertices of no triangle, before and after all others and far outside, have no say. */
+static void isolated_vertices_do_not_spoil_convexity(void) {
+    uint32_t v, c, sliver;
+    for (sliver = 0; sliver < 2; sliver++) {
+        cut_cube();
+        if (sliver == 1) add_sliver(0);
+        for (v = b.mesh.nv++; v > 0; v--) b.mesh.G[v] = b.mesh.G[v - 1];
+        for (c = 0; c < 3 * b.mesh.nt; c++) b.mesh.V[c]++;
+        place(0, 99, 99, 99);
+        place(b.mesh.nv++, -99, 5, 5);
+        examine();
+        CHECK_EQUAL(g->zero_area_triangles, sliver);
+        CHECK_EQUAL(g->convex, NOOK_YES);
+        CHECK(g->box_max.x == 8 && g->box_min.x == 0);
+        compare();
+    }
+}
+
 /* {5/2}: the pentagram as a double cone. Every edge is convex, but it goes round twice. */
 static void a_surface_that_goes_round_twice_is_judged_by_its_vertices(void) {
     static const int8_t at[5][2] = {{30, 0}, {9, 29}, {-24, 18}, {-24, -18}, {9, -29}};
@@ -472,12 +490,32 @@ static void any_opposites_end_in_time(void) {
     }
 }
 
+static void a_single_opposite_out_of_range_takes_one_edge_away(void) {
+    uint32_t c, nc;
+    cut_cube();
+    add_sliver(0);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    nc = 3 * b.mesh.nt;
+    for (c = 0; c < nc; c++) {
+        uint32_t spent, all = g->convex_edges + g->flat_edges, edges;
+        nook_index keep = b.mesh.O[c];
+        nook_geometry result;
+        b.mesh.O[c] = NOOK_STORED_NONE;
+        CHECK_EQUAL(run(true, NULL, 1000, &spent, &result), NOOK_OK);
+        edges = result.convex_edges + result.flat_edges;
+        CHECK(edges == all || (edges == all - 1 && c < keep));
+        CHECK_EQUAL(result.convex, NOOK_YES);
+        b.mesh.O[c] = keep;
+    }
+}
+
 static const test tests[] = {
     TEST(edges_and_convexity_of_all_shapes_are_those_of_the_definition),
     TEST(a_cube_has_12_convex_and_6_flat_edges_and_is_convex),
     TEST(a_dent_is_concave_and_names_a_vertex_outside_a_triangle),
     TEST(random_double_cones_on_a_grid),
     TEST(slivers_do_not_hide_what_is_not_convex),
+    TEST(isolated_vertices_do_not_spoil_convexity),
     TEST(a_surface_that_goes_round_twice_is_judged_by_its_vertices),
     TEST(two_shells_are_never_convex),
     TEST(a_thin_far_shell_knows_its_inside),
@@ -487,6 +525,7 @@ static const test tests[] = {
     TEST(what_it_cannot_do_without_is_asked_for),
     TEST(units_are_the_same_however_they_are_cut_and_within_the_bound),
     TEST(any_opposites_end_in_time),
+    TEST(a_single_opposite_out_of_range_takes_one_edge_away),
 };
 
 void test_geometry(void) { run_tests(tests, sizeof tests / sizeof *tests); }
