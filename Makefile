@@ -72,7 +72,7 @@ BOARD_RUNS += "timeout 600 $(QEMU) -M $$(BOARD_MACHINE) -display none -monitor n
 	-semihosting-config enable=on,target=native,chardev=sh -kernel build/$(1)/$(2).elf"
 endef
 define board_width
-build/$(1)-$(2)/%: CPU := $$(BOARD_CPU) -DNOOK_TEST_RAM=$$(BOARD_RAM) -DNOOK_INDEX_BITS=$(2)
+build/$(1)-$(2)/%: CPU := $$(BOARD_CPU) -DNOOK_TEST_RAM=$$(BOARD_RAM) -DTICK=$$(BOARD_TICK) -DNOOK_INDEX_BITS=$(2)
 build/$(1)-$(2)/%.elf: LAYOUT := boards/$(1)/board.ld
 build/$(1)-$(2)/%.o: %.c Makefile
 	@mkdir -p $$(@D)
@@ -86,12 +86,20 @@ $$(BOARD_PARTS:%=build/$(1)-$(2)/%.elf): build/$(1)-$(2)/%.elf: build/$(1)-$(2)/
 	@echo "$$@"
 	$(Q)$(CROSS)gcc $$(CPU) -nostartfiles --specs=nano.specs -Lboards/cortex_m -T $$(LAYOUT) -Wl,--gc-sections $$(filter %.o,$$^) -o $$@
 	@! $(CROSS)nm $$@ | grep -E ' _*(sbrk|malloc|free|printf)(_r)?$$$$' || { echo "the heap or stdio got into $$@"; exit 1; }
+build/$(1)-$(2)/costs.elf: $(patsubst %.c,build/$(1)-$(2)/%.o,$(LIBRARY) tests/bench/costs.c tests/check.c port/semihosting/nook_port.c \
+		boards/cortex_m/startup.c) boards/$(1)/board.ld boards/cortex_m/sections.ld
+	@echo "$$@"
+	$(Q)$(CROSS)gcc $$(CPU) -nostartfiles --specs=nano.specs -Lboards/cortex_m -T $$(LAYOUT) -Wl,--gc-sections $$(filter %.o,$$^) -o $$@
 $$(foreach part,$$(BOARD_PARTS),$$(eval $$(call board_part,$(1)-$(2),$$(part))))
 endef
 define board
 include boards/$(1)/board.mk
 $$(foreach bits,$$(BOARD_BITS),$$(eval $$(call board_width,$(1),$$(bits))))
+COST_ELFS += build/$(1)-16/costs.elf
+COST_RUNS += build/$(1)-16/costs.elf:$$(BOARD_MACHINE)
 endef
+COST_ELFS :=
+COST_RUNS :=
 $(foreach b,$(BOARDS),$(eval $(call board,$(b))))
 CAN_CROSS := $(and $(call has,$(CROSS)gcc),$(call has,$(QEMU)),$(call has,timeout),\
 	$(shell $(CROSS)gcc --specs=nano.specs -include string.h -E -x c /dev/null >/dev/null 2>&1 && echo yes))
@@ -158,8 +166,12 @@ $(foreach c,$(CORES),$(eval $(call core,$(c))))
 size: $(foreach c,$(CORES),build/$(c)/objects) ## code bytes on Cortex-M0 and M4F; code lines of each room; fails past a ceiling
 	@$(foreach c,$(CORES),python3 tests/tools/size.py $(CROSS) $(c) build/$(c);) python3 tests/tools/lines.py
 
-stack: $(foreach c,$(CORES),build/$(c)/objects) ## worst-case stack of every public function; fails above 512 bytes
-	@$(foreach c,$(CORES),python3 tests/tools/stack.py --limit 512 --cross $(CROSS) --name $(c) --objects build/$(c) -- $(FLAGS_$(c)) &&) true
+stack: $(foreach c,$(CORES),build/$(c)/objects) ## worst-case stack of every public function; fails above 640 bytes
+	@$(foreach c,$(CORES),python3 tests/tools/stack.py --limit 640 --cross $(CROSS) --name $(c) --objects build/$(c) -- $(FLAGS_$(c)) &&) true
+
+UPDATE ?= 0
+costs: $(foreach c,$(CORES),build/$(c)/objects) $(COST_ELFS) ## code, stack and instructions against tests/costs.txt; UPDATE=1 rewrites it
+	@$(SUM) "python3 tests/tools/costs.py $(if $(filter 1,$(UPDATE)),--update) --cross $(CROSS) $(foreach c,$(CORES),--cores '$(c):$(FLAGS_$(c))') --boards $(COST_RUNS)"
 
 symbols: $(foreach c,$(CORES),build/$(c)/objects) $(patsubst %.c,build/flat16/%.o,$(LIBRARY)) ## what the library exports and needs; fails on anything foreign
 	@sh tests/tools/symbols.sh nm $(patsubst %.c,build/flat16/%.o,$(LIBRARY))

@@ -40,6 +40,13 @@
 #endif
 #endif
 
+/* Keeps a function out of line, so that its stack is not added to that of its neighbours. */
+#ifdef __GNUC__
+#define NOOK_APART __attribute__((noinline))
+#else
+#define NOOK_APART
+#endif
+
 /* How an index is stored. Parameters and locals are uint32_t; nook_store() converts.
  * Corner ids run to 3T - 1, so the largest value of nook_index always stays free for "none". */
 #if NOOK_INDEX_BITS == 16

@@ -1,16 +1,9 @@
-/* nook_exact.c -- the three stages of nook_exact.h, and the exact volume. */
+/* nook_exact.c -- the three stages of nook_exact.h, and the exact volume. Only the deepest counts for the stack. */
 #include "exact/nook_exact.h"
-
-/* Stages are kept apart so that only the deepest counts for the stack. */
-#ifdef __GNUC__
-#define APART __attribute__((noinline))
-#else
-#define APART
-#endif
 
 static const uint32_t one = 0x3F800000u; /* the float 1 as bits */
 
-enum { UNDECIDED = 2, NO_AXIS = 3 };
+enum { UNDECIDED = 2 };
 
 /* The two axes that follow an axis. */
 static uint32_t first_after(uint32_t axis) { return axis == 2u ? 0 : axis + 1u; }
@@ -68,8 +61,9 @@ static int decided(float value, float relative, float magnitude, float scale) {
 
 static float magnitude(float x) { return x < 0 ? -x : x; }
 
-APART static int orient3d_by_floats(const nook_point *const *p) {
-    nook_point b = nook_sub(*p[1], *p[0]), c = nook_sub(*p[2], *p[0]), d = nook_sub(*p[3], *p[0]);
+static inline int orient3d_by_floats(const nook_point *p0, const nook_point *p1, const nook_point *p2,
+                                     const nook_point *p3) {
+    nook_point b = nook_sub(*p1, *p0), c = nook_sub(*p2, *p0), d = nook_sub(*p3, *p0);
     float bc = b.x * c.y, cb = c.x * b.y, cd = c.x * d.y, dc = d.x * c.y, db = d.x * b.y, bd = b.x * d.y;
     float zb = magnitude(b.z), zc = magnitude(c.z), zd = magnitude(d.z);
     float most = (magnitude(bc) + magnitude(cb)) * zd + (magnitude(cd) + magnitude(dc)) * zb +
@@ -77,23 +71,24 @@ APART static int orient3d_by_floats(const nook_point *const *p) {
     return decided((bc - cb) * d.z + (cd - dc) * b.z + (db - bd) * c.z, 8 * 0x1p-24f, most, zb + zc + zd);
 }
 
-APART static int orient2d_by_floats(const nook_point *const *p, uint32_t axis) {
+static inline int orient2d_by_floats(const nook_point *a, const nook_point *b, const nook_point *c,
+                                     uint32_t axis) {
     uint32_t u = first_after(axis), v = second_after(axis);
-    float au = nook_float_from(bits_of(p[0], u)), av = nook_float_from(bits_of(p[0], v));
-    float left = (nook_float_from(bits_of(p[1], u)) - au) * (nook_float_from(bits_of(p[2], v)) - av);
-    float right = (nook_float_from(bits_of(p[2], u)) - au) * (nook_float_from(bits_of(p[1], v)) - av);
+    float left = ((&b->x)[u] - (&a->x)[u]) * ((&c->x)[v] - (&a->x)[v]);
+    float right = ((&c->x)[u] - (&a->x)[u]) * ((&b->x)[v] - (&a->x)[v]);
     return decided(left - right, 4 * 0x1p-24f, magnitude(left) + magnitude(right), 0);
 }
 
-APART static int distances_by_floats(const nook_point *const *p) {
-    nook_point ab = nook_sub(*p[1], *p[0]), cd = nook_sub(*p[3], *p[2]);
+static inline int distances_by_floats(const nook_point *a, const nook_point *b, const nook_point *c,
+                                      const nook_point *d) {
+    nook_point ab = nook_sub(*b, *a), cd = nook_sub(*d, *c);
     float left = nook_dot(ab, ab), right = nook_dot(cd, cd);
     return decided(left - right, 8 * 0x1p-24f, left + right, 0);
 }
 #else
-#define orient3d_by_floats(p) UNDECIDED
-#define orient2d_by_floats(p, axis) UNDECIDED
-#define distances_by_floats(p) UNDECIDED
+#define orient3d_by_floats(a, b, c, d) UNDECIDED
+#define orient2d_by_floats(a, b, c, axis) UNDECIDED
+#define distances_by_floats(a, b, c, d) UNDECIDED
 #endif
 
 /* ---- integers ---------------------------------------------------------------------------------- */
@@ -110,8 +105,8 @@ static uint32_t top_of(const nook_point *const *p, uint32_t n, uint32_t axis) {
 
 /* One coordinate of n points less that of point 0, as integers below 2^31 on the exponent top - 156;
  * false where bits do not fit. */
-APART static bool differences(const nook_point *const *p, uint32_t n, uint32_t axis, uint32_t top,
-                              int32_t *to) {
+NOOK_APART static bool differences(const nook_point *const *p, uint32_t n, uint32_t axis, uint32_t top,
+                                   int32_t *to) {
     uint32_t lost = 0, i;
     int32_t first = 0;
     for (i = 0; i < n; i++) {
@@ -149,7 +144,7 @@ static int sign_of_determinant(int32_t n[3][3]) {
     return high != 0 ? sign_of((int64_t)high) : (uint32_t)low != 0;
 }
 
-APART static int orient3d_by_integers(const nook_point *const *p) {
+NOOK_APART static int orient3d_by_integers(const nook_point *const *p) {
     int32_t n[3][3];
     uint32_t axis;
     for (axis = 0; axis < 3u; axis++) {
@@ -158,7 +153,7 @@ APART static int orient3d_by_integers(const nook_point *const *p) {
     return sign_of_determinant(n);
 }
 
-APART static int orient2d_by_integers(const nook_point *const *p, uint32_t axis) {
+NOOK_APART static int orient2d_by_integers(const nook_point *const *p, uint32_t axis) {
     uint32_t u = first_after(axis), v = second_after(axis);
     int32_t x[2], y[2];
     if (!differences(p, 3, u, top_of(p, 3, u), x)) return UNDECIDED;
@@ -166,7 +161,7 @@ APART static int orient2d_by_integers(const nook_point *const *p, uint32_t axis)
     return sign_of(multiply_signed(x[0], y[1]) - multiply_signed(x[1], y[0]));
 }
 
-APART static int distances_by_integers(const nook_point *const *p) {
+NOOK_APART static int distances_by_integers(const nook_point *const *p) {
     uint64_t square[2] = {0, 0}; /* three squares below 2^62 */
     uint32_t i, top = 0;
     for (i = 0; i < 3u; i++) {
@@ -217,7 +212,7 @@ static product product_of(uint32_t x, uint32_t y) {
 }
 
 /* Add xy times z to a sum, or take it away: 72 bits at their place, and as far as they carry. */
-APART static void add_product(uint32_t *sum, uint32_t words, const product *xy, uint32_t z) {
+NOOK_APART static void add_product(uint32_t *sum, uint32_t words, const product *xy, uint32_t z) {
     uint32_t flip = 0u - ((xy->sign ^ z) >> 31), carry = flip & 1u, before, now;
     uint32_t left = xy->place + exponent_of(z), right, above = words - (left >> 5);
     uint64_t part;
@@ -237,17 +232,24 @@ APART static void add_product(uint32_t *sum, uint32_t words, const product *xy, 
     for (above -= 4u; above != 0 && carry != (flip & 1u); above--) carry = add_word(sum++, flip, carry);
 }
 
+/* The product of two coordinates, with the sign of the permutation that takes rows i and j and leaves the
+ * others in order. */
+static product product_of_rows(const nook_point *const *p, uint32_t i, uint32_t j, uint32_t u, uint32_t v) {
+    product xy = product_of(bits_of(p[i], u), bits_of(p[j], v));
+    xy.sign ^= (i + j + (uint32_t)(i > j) + 1u) << 31;
+    return xy;
+}
+
 /* The determinant of four rows x y z 1: a product for each way to choose rows i, j, k that differ, with the
  * sign of the permutation i, j, k, rest. It is that of orient3d turned over. */
-APART static int orient3d_by_sum(const nook_point *const *p) {
+NOOK_APART static int orient3d_by_sum(const nook_point *const *p) {
     uint32_t sum[SUM_WORDS], i, j, k;
     clear(sum, SUM_WORDS);
     for (i = 0; i < 4u; i++) {
         for (j = 0; j < 4u; j++) {
             product xy;
             if (i == j) continue;
-            xy = product_of(bits_of(p[i], 0), bits_of(p[j], 1));
-            xy.sign ^= (i + j + (uint32_t)(i > j)) << 31;
+            xy = product_of_rows(p, i, j, 0, 1);
             for (k = 0; k < 4u; k++) {
                 if (k == i || k == j) continue;
                 add_product(sum, SUM_WORDS, &xy, bits_of(p[k], 2));
@@ -255,32 +257,26 @@ APART static int orient3d_by_sum(const nook_point *const *p) {
             }
         }
     }
-    return sign_of_sum(sum, SUM_WORDS);
+    return -sign_of_sum(sum, SUM_WORDS);
 }
 
-/* Add to a sum the determinant of three rows x y z or, against an axis, of the other two coordinates and 1. */
-static void add_determinant(uint32_t *sum, uint32_t words, const nook_point *const *p, uint32_t axis) {
-    uint32_t u = axis == NO_AXIS ? 0 : first_after(axis), v = axis == NO_AXIS ? 1u : second_after(axis), i, j;
+/* The determinant of three rows of two coordinates and 1. */
+NOOK_APART static int orient2d_by_sum(const nook_point *const *p, uint32_t axis) {
+    uint32_t sum[SUM_WORDS], i, j;
+    clear(sum, SUM_WORDS);
     for (i = 0; i < 3u; i++) {
         for (j = 0; j < 3u; j++) {
             product xy;
             if (i == j) continue;
-            xy = product_of(bits_of(p[i], u), bits_of(p[j], v));
-            xy.sign ^= (i + j + (uint32_t)(i > j) + 1u) << 31;
-            add_product(sum, words, &xy, axis == NO_AXIS ? bits_of(p[3u - i - j], 2) : one);
+            xy = product_of_rows(p, i, j, first_after(axis), second_after(axis));
+            add_product(sum, SUM_WORDS, &xy, one);
         }
     }
-}
-
-APART static int orient2d_by_sum(const nook_point *const *p, uint32_t axis) {
-    uint32_t sum[SUM_WORDS];
-    clear(sum, SUM_WORDS);
-    add_determinant(sum, SUM_WORDS, p, axis);
     return sign_of_sum(sum, SUM_WORDS);
 }
 
 /* a a + b b - 2 a b in every coordinate, less the same of c and d. */
-APART static int distances_by_sum(const nook_point *const *p) {
+NOOK_APART static int distances_by_sum(const nook_point *const *p) {
     uint32_t sum[SUM_WORDS], axis, i;
     clear(sum, SUM_WORDS);
     for (axis = 0; axis < 3u; axis++) {
@@ -300,18 +296,28 @@ APART static int distances_by_sum(const nook_point *const *p) {
 
 /* ---- predicates -------------------------------------------------------------------------------- */
 
-int nook_orient3d(const nook_point *a, const nook_point *b, const nook_point *c, const nook_point *d) {
+NOOK_APART static int orient3d_without_floats(const nook_point *a, const nook_point *b, const nook_point *c,
+                                              const nook_point *d) {
     const nook_point *const p[4] = {a, b, c, d};
-    int sign = orient3d_by_floats(p);
-    if (sign == UNDECIDED) sign = orient3d_by_integers(p);
+    int sign = orient3d_by_integers(p);
     return sign != UNDECIDED ? sign : orient3d_by_sum(p);
 }
 
-int nook_orient2d(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t axis) {
+int nook_orient3d(const nook_point *a, const nook_point *b, const nook_point *c, const nook_point *d) {
+    int sign = orient3d_by_floats(a, b, c, d);
+    return sign != UNDECIDED ? sign : orient3d_without_floats(a, b, c, d);
+}
+
+NOOK_APART static int orient2d_without_floats(const nook_point *a, const nook_point *b, const nook_point *c,
+                                              uint32_t axis) {
     const nook_point *const p[3] = {a, b, c};
-    int sign = orient2d_by_floats(p, axis);
-    if (sign == UNDECIDED) sign = orient2d_by_integers(p, axis);
+    int sign = orient2d_by_integers(p, axis);
     return sign != UNDECIDED ? sign : orient2d_by_sum(p, axis);
+}
+
+int nook_orient2d(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t axis) {
+    int sign = orient2d_by_floats(a, b, c, axis);
+    return sign != UNDECIDED ? sign : orient2d_without_floats(a, b, c, axis);
 }
 
 int nook_facing(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t *axis) {
@@ -321,12 +327,17 @@ int nook_facing(const nook_point *a, const nook_point *b, const nook_point *c, u
     }
 }
 
+NOOK_APART static int distances_without_floats(const nook_point *a, const nook_point *b, const nook_point *c,
+                                               const nook_point *d) {
+    const nook_point *const p[4] = {a, b, c, d};
+    int sign = distances_by_integers(p);
+    return sign != UNDECIDED ? sign : distances_by_sum(p);
+}
+
 int nook_compare_distances(const nook_point *a, const nook_point *b, const nook_point *c,
                            const nook_point *d) {
-    const nook_point *const p[4] = {a, b, c, d};
-    int sign = distances_by_floats(p);
-    if (sign == UNDECIDED) sign = distances_by_integers(p);
-    return sign != UNDECIDED ? sign : distances_by_sum(p);
+    int sign = distances_by_floats(a, b, c, d);
+    return sign != UNDECIDED ? sign : distances_without_floats(a, b, c, d);
 }
 
 /* ---- volume ------------------------------------------------------------------------------------ */
@@ -335,7 +346,15 @@ void nook_volume_clear(nook_volume *volume) { clear(volume->word, NOOK_VOLUME_WO
 
 void nook_volume_add(nook_volume *volume, const nook_point *a, const nook_point *b, const nook_point *c) {
     const nook_point *const p[3] = {a, b, c};
-    add_determinant(volume->word, NOOK_VOLUME_WORDS, p, NO_AXIS);
+    uint32_t i, j;
+    for (i = 0; i < 3u; i++) {
+        for (j = 0; j < 3u; j++) {
+            product xy;
+            if (i == j) continue;
+            xy = product_of_rows(p, i, j, 0, 1);
+            add_product(volume->word, NOOK_VOLUME_WORDS, &xy, bits_of(p[3u - i - j], 2));
+        }
+    }
 }
 
 void nook_volume_merge(nook_volume *volume, const nook_volume *other) {

@@ -35,7 +35,7 @@ static bool opposite_is_good(const nook_view *m, uint32_t c) {
     return m->V[nook_next(c)] == m->V[nook_prev(o)] && m->V[nook_prev(c)] == m->V[nook_next(o)];
 }
 
-static void look_at_corner(nook_check_state *s, uint32_t c) {
+NOOK_APART static void look_at_corner(nook_check_state *s, uint32_t c) {
     const nook_index *V = s->view.V;
     nook_set_bit(s->marks.Mv, V[c]);
     s->loose += s->view.O[c] == c;
@@ -113,7 +113,7 @@ static nook_status conclude(nook_check_state *s) {
 }
 
 /* The survey is taken from the report, or done where O tells all: link cut no edge but borders. */
-static nook_status begin_survey(nook_check_state *s) {
+NOOK_APART static nook_status begin_survey(nook_check_state *s) {
     nook_check_result *r = s->result;
     const nook_report *report = s->report;
     bool whole, done;
@@ -164,7 +164,7 @@ static uint32_t length(const nook_check_state *s) {
     }
 }
 
-static nook_status next_pass(nook_check_state *s) {
+NOOK_APART static nook_status next_pass(nook_check_state *s) {
     s->at = 0;
     switch (s->phase++) {
     case INDICES:
@@ -177,7 +177,7 @@ static nook_status next_pass(nook_check_state *s) {
     }
 }
 
-static void visit(nook_check_state *s, uint32_t i) {
+NOOK_APART static void visit(nook_check_state *s, uint32_t i) {
     switch (s->phase) {
     case POINTS: look_at_point(s, i); return;
     case INDICES: look_at_index(s, i); return;

@@ -37,7 +37,7 @@ static void widen(float *low, float *high, float x) {
     if (x > *high) *high = x;
 }
 
-static void extend_box(nook_geometry_state *s, uint32_t v) {
+NOOK_APART static void extend_box(nook_geometry_state *s, uint32_t v) {
     nook_geometry *r = s->result;
     nook_point p = s->view.G[v];
     if (s->view.C[v] == NOOK_STORED_NONE) return;
@@ -64,7 +64,7 @@ static nook_point relative(const nook_geometry_state *s, uint32_t c, nook_point 
     return nook_scaled(nook_sub(*point(s, c), origin), scale);
 }
 
-static void measure_surface(nook_geometry_state *s, uint32_t t) {
+NOOK_APART static void measure_surface(nook_geometry_state *s, uint32_t t) {
     float scale = s->in.mass.scale;
     nook_point ab = relative(s, 3u * t + 1u, *point(s, 3u * t), scale);
     nook_point ac = relative(s, 3u * t + 2u, *point(s, 3u * t), scale);
@@ -81,7 +81,7 @@ static void tell_sign(nook_geometry_state *s, int sign, uint32_t t) {
 }
 
 /* The volume of all is that of the shells together. */
-static void finish_shell(nook_geometry_state *s, uint32_t k) {
+NOOK_APART static void finish_shell(nook_geometry_state *s, uint32_t k) {
     nook_shell *shell = &s->shells->shell[k];
     nook_volume_merge(&s->result->volume, &shell->volume);
     shell->signed_volume = 0;
@@ -90,7 +90,7 @@ static void finish_shell(nook_geometry_state *s, uint32_t k) {
     tell_sign(s, nook_volume_sign(&shell->volume), shell->first_triangle);
 }
 
-static void finish_volume(nook_geometry_state *s) {
+NOOK_APART static void finish_volume(nook_geometry_state *s) {
     nook_geometry *r = s->result;
     if (!s->closed) return;
     r->volume_sign = nook_volume_sign(&r->volume);
@@ -109,7 +109,7 @@ static float tetrahedron(const nook_geometry_state *s, uint32_t t, nook_point or
     return nook_dot(p[0], nook_cross(p[1], p[2])) / 6.0f;
 }
 
-static void add_mass(nook_geometry_state *s, uint32_t t) {
+NOOK_APART static void add_mass(nook_geometry_state *s, uint32_t t) {
     nook_point p[3];
     float volume = tetrahedron(s, t, middle(s->result), s->in.mass.scale, p), quarter = 0.25f * volume;
     nook_add(&s->in.mass.sum[0], volume);
@@ -118,7 +118,7 @@ static void add_mass(nook_geometry_state *s, uint32_t t) {
     nook_add(&s->in.mass.sum[3], quarter * (p[0].z + p[1].z + p[2].z));
 }
 
-static void finish_mass(nook_geometry_state *s) {
+NOOK_APART static void finish_mass(nook_geometry_state *s) {
     nook_geometry *r = s->result;
     nook_point m = middle(r);
     float volume = nook_sum_value(&s->in.mass.sum[0]), back = nook_power_of_two(size_exponent(s));
@@ -130,7 +130,7 @@ static void finish_mass(nook_geometry_state *s) {
 
 /* Over a tetrahedron with one corner at the origin, the integral of x y is a twentieth of its volume
  * times the sum of x y over the corners and over the sum of the corners. */
-static void add_inertia(nook_geometry_state *s, uint32_t t) {
+NOOK_APART static void add_inertia(nook_geometry_state *s, uint32_t t) {
     nook_point p[3], sum;
     float part = tetrahedron(s, t, s->result->centroid, s->in.mass.scale, p) / 20.0f;
     nook_sum *moment = s->in.mass.sum;
@@ -143,7 +143,7 @@ static void add_inertia(nook_geometry_state *s, uint32_t t) {
     nook_add(&moment[5], part * (sum.z * sum.z + p[0].z * p[0].z + p[1].z * p[1].z + p[2].z * p[2].z));
 }
 
-static void finish_inertia(nook_geometry_state *s) {
+NOOK_APART static void finish_inertia(nook_geometry_state *s) {
     float back = nook_power_of_two(size_exponent(s)), m[6];
     uint32_t i;
     for (i = 0; i < 6u; i++) {
@@ -247,7 +247,7 @@ static uint32_t look_at_side(nook_geometry_state *s, uint32_t i) {
 
 /* Whether the line along the axis, through a point of the triangle of the first three vertices that is as near
  * as you like to the first and in general position, passes triangle t, which is seen turning to the left. */
-static bool passes(const nook_geometry_state *s, uint32_t t, uint32_t *price) {
+NOOK_APART static bool passes(const nook_geometry_state *s, uint32_t t, uint32_t *price) {
     uint32_t i, k;
     for (i = 0; i < 3u; i++) {
         int left = 0;
@@ -317,8 +317,8 @@ static uint32_t visit(nook_geometry_state *s, uint32_t i) {
     case CLEAR: nook_volume_clear(&s->shells->shell[i].volume); return 1;
     case SURFACE: measure_surface(s, i); return 3;
     case SHELLS: finish_shell(s, i); return 3;
-    case MASS: add_mass(s, i); return 1;
-    case INERTIA: add_inertia(s, i); return 2;
+    case MASS: add_mass(s, i); return 2;
+    case INERTIA: add_inertia(s, i); return 3;
     case AREAS: look_at_area(s, i); return 3 * ORIENT2D;
     case EDGES: return look_at_edge(s, i);
     case SPAN: return span(s, i);
@@ -337,7 +337,7 @@ static bool is_over(const nook_geometry_state *s) {
     return s->at == length(s) || (s->phase > EDGES && is_decided(s));
 }
 
-static void finish_surface(nook_geometry_state *s) {
+NOOK_APART static void finish_surface(nook_geometry_state *s) {
     float back = nook_power_of_two(size_exponent(s));
     s->result->area = nook_sum_value(&s->in.mass.sum[0]) * back * back;
 }
@@ -345,6 +345,7 @@ static void finish_surface(nook_geometry_state *s) {
 /* Every pass begins with its part of the state cleared, but for those about the hull. */
 static void next_pass(nook_geometry_state *s) {
     s->at = 0;
+    s->debt = 2;
     switch (s->phase++) {
     case SURFACE: finish_surface(s); break;
     case SHELLS: finish_volume(s); break;
@@ -390,6 +391,7 @@ nook_status nook_geometry_begin(nook_geometry_state *s, const nook_view *view, b
     s->finder = finder;
     s->result = result;
     s->closed = closed;
+    s->debt = 2;
     result->convex = NOOK_MAYBE;
     result->witness_vertex = result->witness_triangle = NOOK_NONE;
     nook_volume_clear(&result->volume);

@@ -1,0 +1,160 @@
+/* costs.c -- what the library costs on an emulated core that counts instructions, line by line for the table
+ * that tests/tools/costs.py keeps: weld, link, survey and check a triangle and at most a unit, over a torus, sound and
+ * with defects of every kind; and each exact sign, by the stage that decides it.
+ *
+ * The emulator counts 64 ns for every instruction; TICK is a tick of the port in tenths of a nanosecond. */
+#include "check.h"
+#include "nook.h"
+#include "nook_port.h"
+
+#if NOOK_TEST_RAM < 2000000
+enum { SIDE = 6, MORE = 20 };
+#else
+enum { SIDE = 24, MORE = 40 };
+#endif
+enum { T = 2 * SIDE * SIDE, MAX_T = T + MORE, MAX_V = 3 * MAX_T, MAX_SHELLS = 4 };
+static NOOK_MESH_ARRAYS(MAX_V, MAX_T) arrays;
+static nook_index map[MAX_V], component[MAX_T], stamp[MAX_V];
+static nook_shell shell[MAX_SHELLS];
+static uint8_t Mt[NOOK_MT_BYTES(MAX_T)], Mv[NOOK_MV_BYTES(MAX_V)];
+static nook_mesh mesh;
+
+static void print_cost(const char *what, const char *of, uint32_t instructions) {
+    print_text(what);
+    print_text(of);
+    print_text(" ");
+    print_number(instructions);
+    print_text("\n");
+}
+
+/* A torus of SIDE x SIDE cells of two triangles, shuffled: 577 and T have no common factor. With
+ * defects: some triangles turned over, and a fan of MORE triangles about the vertex of cell 0. */
+static void soup(bool defects) {
+    static const uint8_t step[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 1}}};
+    uint32_t k, i;
+    nook_mesh_init(&mesh, arrays.G, arrays.V, arrays.O, arrays.C, MAX_V, MAX_T);
+    for (k = 0; k < (uint32_t)MORE && defects; k++) {
+        const nook_point fan[3] = {{0, 0, 0}, {(float)k, -1, 3}, {(float)k + 1, -1, 3}};
+        nook_mesh_append(&mesh, fan);
+    }
+    for (k = 0; k < (uint32_t)T; k++) {
+        nook_point p[3], keep;
+        uint32_t t = k * 577u % T;
+        for (i = 0; i < 3u; i++) {
+            uint32_t x = (t / 2u + step[t & 1u][i][0]) % SIDE,
+                     y = (t / 2u / SIDE + step[t & 1u][i][1]) % SIDE;
+            p[i] = nook_make((float)x * 1.37f, (float)y * 0.61f, (float)((x * 7u + y * 5u) % 11u));
+        }
+        keep = p[0];
+        if (defects && k % 50u == 7u) p[0] = p[1], p[1] = keep;
+        nook_mesh_append(&mesh, p);
+    }
+}
+
+/* ---- counting ---------------------------------------------------------------------------------------- */
+
+static uint32_t before, overhead;
+
+static void start(void) { before = nook_port_ticks(); }
+static uint32_t spent(void) { return (((nook_port_ticks() - before) & 0xFFFFFFu) - overhead) * TICK / 640u; }
+
+typedef struct cost {
+    uint32_t sum, most;
+} cost;
+
+/* A call that was given one unit, did work, and has debt of that work left. */
+static void note(cost *c, uint32_t debt) {
+    uint32_t n = spent();
+    c->sum += n;
+    n = (n + debt) / (1u + debt);
+    if (n > c->most) c->most = n;
+}
+
+static void print_costs(const char *mesh_name, const char *of, const cost *c) {
+    print_text(of);
+    print_cost(mesh_name, "a_triangle", c->sum / mesh.nt);
+    print_text(of);
+    print_cost(mesh_name, "most_a_unit", c->most);
+}
+
+/* ---- passes ------------------------------------------------------------------------------------------ */
+
+/* The debt that a check has after a call, and had before if it was only paying. */
+static uint32_t debt_of(const nook_check_state *s) { return s->phase == 6u ? s->in.geometry.debt : 0; }
+
+static void measure(const char *name, bool defects) {
+    nook_marks marks = {Mt, Mv, MAX_T, MAX_V};
+    nook_shells shells = {shell, component, stamp, MAX_SHELLS, 0};
+    nook_weld_state weld;
+    nook_link_state link;
+    nook_survey_state survey;
+    nook_check_state check;
+    nook_report report;
+    nook_survey surveyed;
+    nook_check_result result;
+    nook_view view;
+    nook_status status;
+    cost costs[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
+    uint32_t units, debt = 0;
+    soup(defects);
+    nook_weld_begin(&weld, &mesh, map, arrays.O);
+    do {
+        units = 1, start(), status = nook_weld_step(&weld, &units), note(&costs[0], 0);
+    } while (status == NOOK_MORE);
+    nook_link_begin(&link, &mesh, &marks, &shells, NULL, &report);
+    do {
+        units = 1, start(), status = nook_link_step(&link, &units), note(&costs[1], 0);
+    } while (status == NOOK_MORE);
+    view = nook_view_of(&mesh);
+    nook_survey_begin(&survey, &view, NULL, &marks, NULL, NULL, &surveyed);
+    do {
+        units = 1, start(), status = nook_survey_step(&survey, &units), note(&costs[2], 0);
+    } while (status == NOOK_MORE);
+    nook_check_begin(&check, &view, &marks, &report, &shells, NULL, &result);
+    do {
+        units = 1, start(), status = nook_check_step(&check, &units);
+        if (debt == 0) note(&costs[3], debt_of(&check));
+        debt = debt_of(&check);
+    } while (status == NOOK_MORE);
+    print_costs(name, "weld_", &costs[0]);
+    print_costs(name, "link_", &costs[1]);
+    print_costs(name, "survey_", &costs[2]);
+    print_costs(name, "check_", &costs[3]);
+}
+
+/* ---- exact signs ------------------------------------------------------------------------------------- */
+
+/* Decided by floats, if there is an FPU; by integers, 0; by the sum, 0. */
+static void signs(void) {
+    static const char *const stage[3] = {"_by_floats", "_by_integers", "_by_sum"};
+    static const nook_point at[3][3] = {
+        {{0.1f, 0.2f, 0.3f}, {1.1f, 0.3f, 0.4f}, {0.3f, 1.7f, 0.2f}},
+        {{0.1f, 0.2f, 0.3f}, {1.1f, 0.3f, 0.3f}, {0.3f, 1.7f, 0.3f}},
+        {{1.1f, 1e-30f, 1e30f}, {1e-33f, 1.3f, 1e-9f}, {1.1e-17f, 1.7e-17f, 1.3f}}};
+    uint32_t i;
+    volatile int sink;
+    nook_volume volume;
+    for (i = 0; i < 3u; i++) {
+        const nook_point *p = at[i];
+        nook_point apart = {0.4f, 0.5f, 1.9f}, last = i == 0 ? apart : p[0];
+        start(), sink = nook_orient3d(&p[0], &p[1], &p[2], &last);
+        print_cost("orient3d", stage[i], spent());
+        start(), sink = nook_orient2d(&p[0], &p[1], &last, 2);
+        print_cost("orient2d", stage[i], spent());
+        start(), sink = nook_compare_distances(&p[0], &p[1], &p[1], &last);
+        print_cost("compare_distances", stage[i], spent());
+    }
+    (void)sink;
+    nook_volume_clear(&volume);
+    start(), nook_volume_add(&volume, &at[0][0], &at[0][1], &at[0][2]);
+    print_cost("volume_add", "", spent());
+}
+
+int main(void) {
+    start();
+    overhead = (nook_port_ticks() - before) & 0xFFFFFFu;
+    measure("sound_", false);
+    measure("defective_", true);
+    signs();
+    return 0;
+}
