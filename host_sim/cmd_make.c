@@ -11,7 +11,7 @@ const char make_help[] =
     "                 sheet: flat and open; moebius: one-sided\n"
     "  --triangles N  as near to N as the shape can come (default 320)\n"
     "  --defect KIND  hole flipped inside-out duplicate nonmanifold-edge bow-tie crossing isolated\n"
-    "                 degenerate unwelded nan\n"
+    "                 degenerate zero-area unwelded nan\n"
     "  -o OUT         the ending .stl .obj .off .ply decides the format; - is standard output\n"
     "  --format F     stl obj off ply, whatever OUT is called\n"
     "\n"

@@ -152,6 +152,10 @@ static void print_number(FILE *to, uint32_t n) {
     }
 }
 
+static bool is_solid(const nook_check_result *r) {
+    return r->watertight == NOOK_YES && r->oriented == NOOK_YES;
+}
+
 static void print_shells(FILE *to, const verdict *v) {
     uint32_t k;
     (void)fputs("  shells     ", to);
@@ -165,18 +169,45 @@ static void print_shells(FILE *to, const verdict *v) {
     (void)fputs(v->shells.count > 5u ? "; ...\n" : "\n", to);
 }
 
-static void print_measures(FILE *to, const model *m, const nook_check_result *r) {
-    bool solid = r->watertight == NOOK_YES && r->oriented == NOOK_YES;
-    if (!r->geometry.known || m->mesh.nt == 0) return;
-    (void)fprintf(to, "  area       %s\n", decimal_of(r->geometry.area).text);
-    (void)fprintf(to, "  volume     %s\n",
-                  solid ? decimal_of(r->geometry.signed_volume).text
-                        : "undefined (not watertight and oriented)");
-    (void)fputs("  box        ", to);
-    print_point(to, r->geometry.box_min);
-    (void)fputs(" to ", to);
-    print_point(to, r->geometry.box_max);
+static void print_edges(FILE *to, const nook_check_result *r) {
+    const nook_geometry *g = &r->geometry;
+    (void)fputs("  edges      ", to);
+    print_number(to, r->edges);
+    if (is_solid(r)) {
+        (void)fprintf(to, ": %" PRIu32 " convex, %" PRIu32 " concave, %" PRIu32 " flat", g->convex_edges,
+                      g->concave_edges, g->flat_edges);
+    }
     (void)fputc('\n', to);
+}
+
+static void print_convexity(FILE *to, const nook_geometry *g) {
+    if (g->convex == NOOK_MAYBE) return;
+    (void)fputs(g->convex == NOOK_YES ? "  convex     yes" : "  convex     no", to);
+    if (g->witness_vertex != NOOK_NONE) {
+        (void)fprintf(to, ": vertex %" PRIu32 " is outside the plane of triangle %" PRIu32, g->witness_vertex,
+                      g->witness_triangle);
+    }
+    (void)fputc('\n', to);
+}
+
+static void print_measures(FILE *to, const model *m, const nook_check_result *r) {
+    const nook_geometry *g = &r->geometry;
+    if (!g->known || m->mesh.nt == 0) return;
+    (void)fprintf(to, "  area       %s\n", decimal_of(g->area).text);
+    (void)fprintf(to, "  volume     %s\n",
+                  is_solid(r) ? decimal_of(g->signed_volume).text
+                              : "undefined (not watertight and oriented)");
+    if (g->volume_sign != 0) {
+        (void)fputs("  centroid   ", to);
+        print_point(to, g->centroid);
+        (void)fputc('\n', to);
+    }
+    (void)fputs("  box        ", to);
+    print_point(to, g->box_min);
+    (void)fputs(" to ", to);
+    print_point(to, g->box_max);
+    (void)fputc('\n', to);
+    print_convexity(to, g);
 }
 
 static void print_figures(FILE *to, const model *m, const verdict *v) {
@@ -184,10 +215,8 @@ static void print_figures(FILE *to, const model *m, const verdict *v) {
     size_t tables = NOOK_MESH_BYTES(m->mesh.nv, m->mesh.nt);
     (void)fprintf(to, "  format     %s, %s\n", m->format,
                   m->welded ? "equal vertices welded" : "vertices as in the file");
-    (void)fprintf(to, "  triangles  %" PRIu32 "\n  vertices   %" PRIu32 "\n  edges      ", m->mesh.nt,
-                  m->mesh.nv);
-    print_number(to, r->edges);
-    (void)fputc('\n', to);
+    (void)fprintf(to, "  triangles  %" PRIu32 "\n  vertices   %" PRIu32 "\n", m->mesh.nt, m->mesh.nv);
+    print_edges(to, r);
     print_shells(to, v);
     print_measures(to, m, r);
     if (v->outward != NOOK_MAYBE) {

@@ -6,7 +6,8 @@
 #include "heap.h"
 
 const char defect_names[] =
-    "hole flipped inside-out duplicate nonmanifold-edge bow-tie crossing isolated degenerate unwelded nan";
+    "hole flipped inside-out duplicate nonmanifold-edge bow-tie crossing isolated degenerate"
+    " zero-area unwelded nan";
 
 static void flip(drawing *d, uint32_t t) {
     uint32_t *corner = &d->V[3 * (size_t)t], v = corner[1];
@@ -84,6 +85,24 @@ static void isolated(drawing *d) { (void)drawing_vertex(d, nook_make(3, 3, 3)); 
 
 static void degenerate(drawing *d) { drawing_triangle(d, d->V[0], d->V[1], d->V[1]); }
 
+/* The nearest multiple of 2^-12, so that the middle of two such is a float. */
+static float on_grid(float x) { return (float)(int32_t)(x * 4096.0f) / 4096.0f; }
+
+/* A vertex on the middle of an edge: its first triangle is cut there, and a triangle without area closes the gap to
+ * the other. */
+static void zero_area(drawing *d) {
+    uint32_t a = d->V[0], b = d->V[1], c = d->V[2], i, m;
+    for (i = 0; i < 2u; i++) {
+        nook_point *p = &d->G[i == 0 ? a : b];
+        *p = nook_make(on_grid(p->x), on_grid(p->y), on_grid(p->z));
+    }
+    m = drawing_vertex(
+        d, nook_scaled(nook_make(d->G[a].x + d->G[b].x, d->G[a].y + d->G[b].y, d->G[a].z + d->G[b].z), 0.5f));
+    d->V[1] = m;
+    drawing_triangle(d, m, b, c);
+    drawing_triangle(d, a, b, m);
+}
+
 static void unwelded(drawing *d) {
     uint32_t i, nt = d->nt, nv = d->nv;
     for (i = 0; i < 3u * nt; i++) d->V[i] = drawing_vertex(d, d->G[d->V[i]]) - nv;
@@ -106,6 +125,7 @@ static const struct {
     {"crossing", crossing},
     {"isolated", isolated},
     {"degenerate", degenerate},
+    {"zero-area", zero_area},
     {"unwelded", unwelded},
     {"nan", not_a_number},
 };

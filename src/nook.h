@@ -25,12 +25,13 @@
  *     nook_X(...)                    both in a loop
  * (nook_digest() and nook_drop_degenerate() are one plain pass and have only the last form.)
  * Each header says what a unit is and the most instructions it costs. States are at most 256
- * bytes. Nothing recurses. The worst stack, helpers of the compiler included, is 500 bytes on Cortex-M0 and
- * M4F (one-call link and check, which hold their state there), 460 for the STL and number parsers, 320 for a step of link
- * or check, 220 and less for all others; `make stack` prints it function by function.
+ * bytes. Nothing recurses. The worst stack, helpers of the compiler included, is 640 bytes on Cortex-M0 and 590 on
+ * M4F (one-call nook_check, which holds its state there), 500 for one-call nook_link, 440 for a step of check and
+ * for the STL and number parsers, 310 and less for all others; `make stack` prints it function by function.
  *
  * Numbers. float32 only; the same bits on every core (build with -ffp-contract=off and without
- * -ffast-math). Coordinates are in any unit, finite, at most 2^30.
+ * -ffast-math). Coordinates are in any unit, finite, at most 2^30. Whatever is a yes or no (which side, how
+ * many concave edges, convex or not, which way is out) is exact, as if computed with real numbers.
  *
  *     static NOOK_MESH_ARRAYS(1500, 500) link3;           500 triangles, as STL gives them
  *     static uint8_t Mt[NOOK_MT_BYTES(500)], Mv[NOOK_MV_BYTES(1500)];
@@ -75,11 +76,15 @@ extern "C" {
 /* INDEX OF TERMS (the seeds' words, and where they stand)
  *
  * adjacent triangles      nook_opposite, nook_ntav
- * area                    nook_check_result.area
+ * area                    nook_geometry.area
  * border, border edge     nook_is_border; NOOK_BORDER_EDGE
  * bow-tie                 NOOK_NONMANIFOLD_VERTEX
+ * centroid                nook_geometry.centroid
  * clean                   nook_check_result.clean
  * component               nook_survey.components, nook_shells
+ * concave edge            nook_geometry.concave_edges
+ * convex edge             nook_geometry.convex_edges
+ * convex mesh             nook_geometry.convex, with a witness if not
  * corner, corner table    nook_view: V, O
  * duplicate               NOOK_DUPLICATE_TRIANGLE
  * edge-connected          nook_survey
@@ -87,9 +92,13 @@ extern "C" {
  * Euler number            nook_check_result.euler
  * even                    nook_check_result.even (the seed's weaker "watertight")
  * fan                     nook_survey.fans
+ * flat edge               nook_geometry.flat_edges
+ * folded edge             NOOK_FOLDED_EDGE
  * genus, handles          nook_shell_genus
  * hole, border loop       nook_survey.border_loops
  * incidence table         nook_view.V
+ * inertia                 nook_geometry.inertia
+ * inside out, outward     NOOK_INSIDE_OUT; nook_geometry.inside_out_shells
  * isolated vertex (hair)  NOOK_ISOLATED_VERTEX
  * l, left                 nook_left
  * manifold                nook_check_result.manifold
@@ -97,6 +106,7 @@ extern "C" {
  * n, next                 nook_next
  * ntav, nvat              nook_ntav, nook_nvat
  * o, opposite             nook_opposite; computed by nook_link
+ * orient2d, orient3d      nook_orient2d, nook_orient3d
  * orientable              nook_survey.orientable
  * oriented                nook_check_result.oriented
  * p, previous             nook_prev
@@ -107,7 +117,9 @@ extern "C" {
  * soup                    nook_mesh_append, nook_weld
  * t, triangle             nook_triangle
  * v, vertex               nook_vertex
+ * volume                  nook_geometry.signed_volume; exact: nook_volume
  * watertight              nook_check_result.watertight
+ * zero-area triangle      NOOK_ZERO_AREA_TRIANGLE
  */
 
 #endif

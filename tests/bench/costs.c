@@ -150,11 +150,31 @@ static void signs(void) {
     print_cost("volume_add", "", spent());
 }
 
+/* In one call, for comparison with the same without guards. */
+static void survey_only(void) {
+    nook_marks marks = {Mt, Mv, MAX_T, MAX_V};
+    nook_survey_state survey;
+    nook_survey surveyed;
+    nook_report report;
+    nook_view view;
+    uint32_t units = UINT32_MAX;
+    soup(false);
+    nook_weld(&mesh, map, arrays.O, NULL);
+    nook_link(&mesh, &marks, NULL, NULL, &report, NULL);
+    view = nook_view_of(&mesh);
+    nook_survey_begin(&survey, &view, NULL, &marks, NULL, NULL, &surveyed);
+    start(), nook_survey_step(&survey, &units);
+    print_cost("survey", "", spent() / mesh.nt);
+}
+
 int main(void) {
     start();
     overhead = (nook_port_ticks() - before) & 0xFFFFFFu;
+    survey_only();
+#ifndef ONLY_SURVEY
     measure("sound_", false);
     measure("defective_", true);
     signs();
+#endif
     return 0;
 }

@@ -51,6 +51,7 @@ for shape in sheet moebius; do
 done
 defect bow-tie '"code":"nonmanifold_vertex","severity":"error","count":1'
 defect degenerate '"degenerate_triangles":1'
+defect zero-area '"code":"zero_area_triangle","severity":"error","count":1'
 "$nook" make icosphere --defect isolated -o "$dir/isolated.off"
 expect 'an isolated vertex is told and does not decide' 0 '"isolated_vertices":1' "$nook" check --json "$dir/isolated.off"
 expect 'unless it is required' 1 '"isolated_vertices":1' "$nook" check --json --require no-isolated "$dir/isolated.off"
@@ -62,6 +63,13 @@ printf "${tetra}f -4 -2 -3\nf 1/1 2/2/2 4//4\r\nf 2 \\\\\n3 4\nf 3 1 4\n" >"$dir
 expect 'negative and slashed indices and continued lines' 0 '"verdict":"sound"' "$nook" check --json "$dir/odd.obj"
 printf 'OFF4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >"$dir/glued.off"
 expect 'counts glued to the magic word' 0 '"verdict":"sound"' "$nook" check --json "$dir/glued.off"
+expect 'a tetrahedron is convex' 0 '"concave_edges":0,"convex_edges":6,"flat_edges":0,"folded_edges":0,"zero_area_triangles":0,"convex_witness":null,"area":2.3660254,"signed_volume":0.16666667,"centroid":\[0.25,0.25,0.25\],"inertia":\[' "$nook" check --json "$dir/tetra.obj"
+expect 'and may be required to be' 0 '"convex":true' "$nook" check --require convex --json "$dir/tetra.obj"
+expect 'a torus is not, and a vertex and a triangle show it' 1 '"convex_witness":{"vertex":[0-9]*,"triangle":[0-9]*}' "$nook" check --require convex --json "$dir/torus.off"
+expect 'the text says where' 0 'convex     no: vertex [0-9]* is outside the plane of triangle [0-9]*$' "$nook" check "$dir/torus.off"
+printf 'v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n' >"$dir/flat.obj"
+expect 'a surface folded upon itself is flat and not outward' 1 '"consistent":false.*"folded_edges":[1-9].*"code":"flat_shell"' "$nook" check --json "$dir/flat.obj"
+expect 'an open mesh has no volume, no centroid and no convexity' 1 '"convex":null.*"concave_edges":null,.*"signed_volume":null,"centroid":null,"inertia":null' sh -c "'$nook' make sheet -o - --format off | '$nook' check --json -"
 expect 'several files: the highest status' 1 'tetra.obj' "$nook" check --json "$dir/tetra.obj" "$dir/bad.off"
 expect 'a file named by -' 0 '"verdict":"sound"' sh -c "'$nook' check --json - <'$dir/tetra.obj'"
 expect 'the digest is the same in every format' 0 "$("$nook" check --json "$dir/torus.off" | grep -o '"digest":"[0-9a-f]*"')" "$nook" check --json "$dir/torus.ply"
