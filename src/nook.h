@@ -55,14 +55,16 @@ extern "C" {
 #include "core/nook_mesh.h"   /* the tables, view and mesh, digest */
 #include "core/nook_corner.h" /* t v n p o l r s b g, nvat, ntav */
 #include "core/nook_marks.h"  /* Mt and Mv */
-#include "core/nook_vector.h" /* vectors, square root, sums */
+#include "core/nook_vector.h" /* vectors, square root */
 
 /* exact: signs that rounding cannot turn */
 #include "exact/nook_exact.h" /* which side, which is longer, how much volume */
 
-/* table: from bytes to a checked mesh */
-#include "table/nook_number.h"   /* decimal text to float */
-#include "table/nook_stl.h"      /* STL in chunks */
+/* ingest: from bytes to triangles */
+#include "ingest/nook_number.h" /* decimal text to float */
+#include "ingest/nook_stl.h"    /* STL in chunks */
+
+/* table: from triangles to a checked mesh */
 #include "table/nook_weld.h"     /* equal vertices become one */
 #include "table/nook_link.h"     /* O and C from V */
 #include "table/nook_survey.h"   /* components, fans, loops */

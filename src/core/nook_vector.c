@@ -36,14 +36,3 @@ float nook_length(nook_point a) {
     a = nook_scaled(a, nook_power_of_two(254u - exponent));
     return nook_sqrt(nook_dot(a, a)) * nook_power_of_two(exponent);
 }
-
-void nook_add(nook_sum *sum, float term) {
-    float total = sum->total + term;
-    float big = sum->total < 0 ? -sum->total : sum->total;
-    if (big >= (term < 0 ? -term : term)) {
-        sum->lost += (sum->total - total) + term;
-    } else {
-        sum->lost += (term - total) + sum->total;
-    }
-    sum->total = total;
-}

@@ -76,14 +76,4 @@ static inline float nook_sqrt(float x) {
 /* |a| without overflow or underflow in the squares. */
 float nook_length(nook_point a);
 
-/* A running sum that keeps what rounding lost (Neumaier 1974): the error of the total is that of
- * one addition, for any number of terms and any order of magnitudes. */
-typedef struct nook_sum {
-    float total, lost;
-} nook_sum;
-
-void nook_add(nook_sum *sum, float term);
-
-static inline float nook_sum_value(const nook_sum *sum) { return sum->total + sum->lost; }
-
 #endif

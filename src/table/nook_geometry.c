@@ -27,6 +27,17 @@ enum { ORIENT2D = 4, ORIENT3D = 9 };
 
 static const nook_point *point(const nook_geometry_state *s, uint32_t c) { return &s->view.G[s->view.V[c]]; }
 
+void nook_add(nook_sum *sum, float term) {
+    float total = sum->total + term;
+    float big = sum->total < 0 ? -sum->total : sum->total;
+    if (big >= (term < 0 ? -term : term)) {
+        sum->lost += (sum->total - total) + term;
+    } else {
+        sum->lost += (term - total) + sum->total;
+    }
+    sum->total = total;
+}
+
 /* +1 where the triangles face outwards, -1 where inwards. */
 static int facing(const nook_geometry_state *s) { return s->result->volume_sign < 0 ? -1 : 1; }
 

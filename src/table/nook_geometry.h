@@ -9,6 +9,16 @@
 
 #include "table/nook_survey.h"
 
+/* A running sum that keeps what rounding lost (Neumaier 1974): the error of the total is that of
+ * one addition, for any number of terms and any order of magnitudes. */
+typedef struct nook_sum {
+    float total, lost;
+} nook_sum;
+
+void nook_add(nook_sum *sum, float term);
+
+static inline float nook_sum_value(const nook_sum *sum) { return sum->total + sum->lost; }
+
 typedef struct nook_geometry {
     bool known;                  /* the rest is filled */
     nook_point box_min, box_max; /* of the vertices of triangles; 0 without any */

@@ -4,7 +4,7 @@
  * like all that follow, and cannot hold a whole facet. After that a binary file is a row of 50-byte
  * records, and a text is a fixed sequence of words (expected[]) around skipped normals and parsed
  * coordinates. */
-#include "table/nook_stl.h"
+#include "ingest/nook_stl.h"
 
 #include <string.h>
 

@@ -7,7 +7,7 @@
  *
  * 115 digits are enough: where two floats meet half way stands a number of at most 113 significant
  * digits, so of a longer text only whether anything follows decides, and a final digit 1 says so. */
-#include "table/nook_number.h"
+#include "ingest/nook_number.h"
 
 #include <string.h>
 

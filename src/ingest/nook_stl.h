@@ -21,7 +21,7 @@
 #define NOOK_STL_H
 
 #include "core/nook_mesh.h"
-#include "table/nook_number.h"
+#include "ingest/nook_number.h"
 
 typedef struct nook_stl {
     nook_number number;   /* ASCII: the coordinate being read */
