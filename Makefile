@@ -24,7 +24,7 @@ has = $(shell command -v $(1) 2>/dev/null)
 HOSTS := cc16 cc32 $(if $(call has,clang),clang16 clang32)
 BOARDS := $(notdir $(patsubst %/board.mk,%,$(wildcard boards/*/board.mk)))
 
-.PHONY: all run test test-boards test-host readme sanitize size stack symbols lint format format-check tools help clean bench
+.PHONY: all run test test-boards test-host readme sanitize prove fuzz costs size stack symbols lint format format-check tools help clean bench
 .DELETE_ON_ERROR:
 all: build/nook build/nook16 build/cc32/libnook.a build/cc16/libnook.a ## build program and library, 32- and 16-bit indices
 
@@ -46,6 +46,10 @@ build/$(1)/nook: $(patsubst %.c,build/$(1)/%.o,$(LIBRARY) $(PROGRAM))
 build/$(1)/tests.elf: $(patsubst %.c,build/$(1)/%.o,$(LIBRARY) $(TESTS) port/posix/nook_port.c)
 	@echo "$$@"
 	$(Q)$(2) $(4) $$^ -o $$@
+build/$(1)/prove_%: build/$(1)/tests/prove/%.o $(patsubst %.c,build/$(1)/%.o,tests/prove/prove.c tests/big.c tests/check.c port/posix/nook_port.c) \
+		build/$(1)/libnook.a
+	@echo "$$@"
+	$(Q)$(2) $(4) $$^ -o $$@
 endef
 # Warnings are errors in `lint` only: a newer compiler than ours need not stop anybody.
 SANITIZERS := -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
@@ -53,6 +57,8 @@ $(eval $(call variant,cc16,$(CC),16,))
 $(eval $(call variant,cc32,$(CC),32,))
 # For `symbols`: constant tables of pointers stay constant data, and no hardening that only PCs have.
 $(eval $(call variant,flat16,$(CC),16,-fno-pic -fno-stack-protector -U_FORTIFY_SOURCE))
+# For `prove`: as on a core without an FPU.
+$(eval $(call variant,soft16,$(CC),16,-DNOOK_HAS_FPU=0))
 $(eval $(call variant,clang16,clang,16,))
 $(eval $(call variant,clang32,clang,32,))
 $(eval $(call variant,asan16,$(CC),16,$(SANITIZERS)))
@@ -150,6 +156,22 @@ NO_CLANG_RUNTIME := $(if $(CLANG_CAN_SANITIZE),,"skip: clang or its sanitizer ru
 sanitize: $(foreach v,$(SANITIZED),build/$(v)/tests.elf build/$(v)/nook) ## tests and program under ASan and UBSan, gcc and clang
 	@$(SUM) $(foreach v,$(SANITIZED),"build/$(v)/tests.elf" $(foreach s,$(HOST_SCRIPTS),"NOOK=build/$(v)/nook sh $(s)")) $(NO_CLANG_RUNTIME)
 
+# ---- proofs by exhaustion --------------------------------------------------------------------------
+PROVE := cc16/prove_exact soft16/prove_exact cc16/prove_worlds cc32/prove_worlds cc16/prove_tables asan16/prove_tables cc16/prove_faults \
+	asan16/prove_faults
+GUARDS := python3 tests/tools/guards.py $(CROSS) mps2-an386 -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 $(FLAGS) -DTICK=400
+MUTANTS ?= 40
+SECONDS ?= 60
+
+prove: $(addprefix build/,$(PROVE)) ## all small worlds, all tables, all single faults, all branches, exact signs, guards, mutants: figures
+	@$(SUM) "CC=$(CC) python3 tests/tools/coverage.py" "python3 tests/tools/decisions.py" \
+		$(foreach p,$(PROVE),"build/$(p)$(if $(findstring asan16/prove_tables,$(p)), small)") \
+		$(if $(CAN_CROSS),"$(GUARDS)","skip: what guards cost; the cross compiler or the emulator is missing") \
+		"python3 tests/tools/mutate.py --sample $(MUTANTS) --seed 1 --at-least 80"
+
+fuzz: build/nook ## the fuzz targets, SECONDS=60 in all; needs clang and its fuzzer runtime
+	@$(SUM) "sh tests/fuzz/run.sh $(SECONDS)"
+
 # ---- what the library costs and what it leans on ---------------------------------------------------
 CORES := m0 m4f
 FLAGS_m0 := -mcpu=cortex-m0 -mthumb
@@ -170,8 +192,9 @@ stack: $(foreach c,$(CORES),build/$(c)/objects) ## worst-case stack of every pub
 	@$(foreach c,$(CORES),python3 tests/tools/stack.py --limit 640 --cross $(CROSS) --name $(c) --objects build/$(c) -- $(FLAGS_$(c)) &&) true
 
 UPDATE ?= 0
+COSTS = python3 tests/tools/costs.py --cross $(CROSS) $(foreach c,$(CORES),--cores '$(c):$(FLAGS_$(c))') --boards $(COST_RUNS)
 costs: $(foreach c,$(CORES),build/$(c)/objects) $(COST_ELFS) ## code, stack and instructions against tests/costs.txt; UPDATE=1 rewrites it
-	@$(SUM) "python3 tests/tools/costs.py $(if $(filter 1,$(UPDATE)),--update) --cross $(CROSS) $(foreach c,$(CORES),--cores '$(c):$(FLAGS_$(c))') --boards $(COST_RUNS)"
+	@$(if $(filter 1,$(UPDATE)),$(COSTS) --update,$(SUM) "$(COSTS)")
 
 symbols: $(foreach c,$(CORES),build/$(c)/objects) $(patsubst %.c,build/flat16/%.o,$(LIBRARY)) ## what the library exports and needs; fails on anything foreign
 	@sh tests/tools/symbols.sh nm $(patsubst %.c,build/flat16/%.o,$(LIBRARY))

@@ -78,10 +78,9 @@ static void put_truth(FILE *to, const char *name, nook_truth truth) {
     (void)fputs(truth == NOOK_MAYBE ? "null" : truth == NOOK_YES ? "true" : "false", to);
 }
 
-static void number(FILE *to, float x) {
-    bool finite = (nook_float_bits(x) & 0x7F800000u) != 0x7F800000u;
-    (void)fputs(finite ? decimal_of(x).text : "null", to);
-}
+static bool is_finite(float x) { return (nook_float_bits(x) & 0x7F800000u) != 0x7F800000u; }
+
+static void number(FILE *to, float x) { (void)fputs(is_finite(x) ? decimal_of(x).text : "null", to); }
 
 static void put_float(FILE *to, const char *name, bool known, float x) {
     key(to, name);
@@ -92,8 +91,10 @@ static void put_float(FILE *to, const char *name, bool known, float x) {
     }
 }
 
+/* null as a whole if any of them is beyond float32. */
 static void put_floats(FILE *to, const char *name, bool known, const float *x, uint32_t n) {
     uint32_t i;
+    for (i = 0; i < n; i++) known = known && is_finite(x[i]);
     if (!known) {
         put_null(to, name);
         return;
@@ -160,8 +161,7 @@ static void put_witness(FILE *to, const nook_geometry *g) {
 static void put_measures(FILE *to, const model *m, const nook_check_result *r) {
     const nook_geometry *g = &r->geometry;
     bool any = m->mesh.nt != 0, known = any && g->known,
-         solid = known && r->watertight == NOOK_YES && r->oriented == NOOK_YES,
-         mass = solid && g->volume_sign != 0;
+         solid = known && r->watertight == NOOK_YES && r->oriented == NOOK_YES, mass = solid && g->mass_known;
     put_null(to, "self_intersections");
     put_null(to, "t_junctions");
     put_count(to, "concave_edges", solid ? g->concave_edges : NOOK_UNKNOWN);

@@ -197,7 +197,7 @@ static void print_measures(FILE *to, const model *m, const nook_check_result *r)
     (void)fprintf(to, "  volume     %s\n",
                   is_solid(r) ? decimal_of(g->signed_volume).text
                               : "undefined (not watertight and oriented)");
-    if (g->volume_sign != 0) {
+    if (g->mass_known) {
         (void)fputs("  centroid   ", to);
         print_point(to, g->centroid);
         (void)fputc('\n', to);

@@ -236,6 +236,17 @@ static void add_sliver(uint32_t c) {
     add(m, from, to);
 }
 
+/* In the place of the last triangle, a sliver, three about a vertex of their own on its line, perhaps beyond. */
+static void spread_sliver(float along) {
+    uint32_t t = b.mesh.nt - 1, w = b.mesh.nv++;
+    uint32_t m = b.mesh.V[3 * t], from = b.mesh.V[3 * t + 1], to = b.mesh.V[3 * t + 2];
+    nook_point p = b.mesh.G[from], q = nook_sub(b.mesh.G[to], p);
+    place(w, p.x + q.x * along, p.y + q.y * along, p.z + q.z * along);
+    b.mesh.V[3 * t + 2] = nook_store(w);
+    add(from, to, w);
+    add(to, m, w);
+}
+
 static void slivers_do_not_hide_what_is_not_convex(void) {
     dice d = {99u};
     uint32_t round, i, convex = 0, rounds = NOOK_TEST_RAM < 2000000 ? 100 : 1500;
@@ -246,6 +257,7 @@ static void slivers_do_not_hide_what_is_not_convex(void) {
         if (round % 3 == 2) place(throw_dice(&d, 8), 4, 3, 4);
         for (i = 0; i < b.mesh.nv; i++) b.mesh.G[i] = nook_scaled(b.mesh.G[i], 64);
         for (i = 0; i < slivers; i++) add_sliver(throw_dice(&d, 3 * b.mesh.nt));
+        if (round % 4 == 0) spread_sliver(throw_dice(&d, 3) == 0 ? 2 : 0.25f);
         if (round & 1) turn_all_over();
         examine();
         compare();
@@ -253,6 +265,23 @@ static void slivers_do_not_hide_what_is_not_convex(void) {
     }
     CHECK(convex > rounds / 4);
     CHECK(convex < rounds * 3 / 4);
+}
+
+/* A vertex of triangles without area only, on the line of an edge: between its ends, and beyond. */
+static void a_vertex_of_slivers_only_may_be_outside(void) {
+    uint32_t i, outside = 0;
+    for (i = 0; i < 20; i++) {
+        dice d = {1 + i};
+        cut_cube();
+        add_sliver(i);
+        spread_sliver(i < 10 ? 0.25f : 2);
+        if (i % 2) shuffle(&d);
+        examine();
+        compare();
+        if (i < 10) CHECK_EQUAL(g->convex, NOOK_YES);
+        outside += g->convex == NOOK_NO;
+    }
+    CHECK(outside >= 5); /* on half of the edges "beyond" is still on the face */
 }
 
 /* Vertices of no triangle, before and after all others and far outside, have no say. */
@@ -306,8 +335,25 @@ static void a_surface_that_goes_round_twice_is_judged_by_its_vertices(void) {
     CHECK_EQUAL(g->convex, NOOK_YES);
 }
 
+static nook_status run(bool closed, nook_shells *shells, uint32_t cut, uint32_t *spent,
+                       nook_geometry *result) {
+    nook_geometry_state state;
+    nook_view view = nook_view_of(&b.mesh);
+    nook_status status = nook_geometry_begin(&state, &view, closed, shells, NULL, result);
+    uint32_t calls = 0;
+    *spent = 0;
+    if (status != NOOK_OK) return status;
+    do {
+        uint32_t units = cut;
+        status = nook_geometry_step(&state, &units);
+        *spent += cut - units;
+    } while (status == NOOK_MORE && ++calls < 1000000);
+    return status;
+}
+
 static void two_shells_are_never_convex(void) {
-    uint32_t v;
+    uint32_t v, spent;
+    nook_geometry result;
     shapes[14].build();
     examine();
     CHECK_EQUAL(g->convex, NOOK_NO);
@@ -315,6 +361,11 @@ static void two_shells_are_never_convex(void) {
     for (v = 0; v < 4; v++) b.mesh.G[v] = b.mesh.G[v + 4]; /* coincident */
     examine();
     CHECK_EQUAL(g->convex, NOOK_NO);
+    CHECK_EQUAL(run(true, &b.shells, 100, &spent, &result), NOOK_OK);
+    CHECK_EQUAL(result.convex, NOOK_NO);
+    CHECK(spent < 140 * b.mesh.nt + 13 * b.mesh.nv + 30); /* two shells are enough to know */
+    CHECK_EQUAL(run(true, NULL, 100, &spent, &result), NOOK_OK);
+    CHECK_EQUAL(result.convex, NOOK_YES); /* no vertex outside, for who does not know the shells */
     for (v = 0; v < 4; v++) b.mesh.G[v] = nook_scaled(b.mesh.G[v + 4], 2);
     examine();
     CHECK_EQUAL(g->convex, NOOK_NO);
@@ -393,6 +444,33 @@ static void a_corner_tetrahedron_has_its_products_of_inertia(void) {
     CHECK(near(g->inertia[5], v * 3 / 80 * (4 + 9), 2e-5f));
 }
 
+/* Four million sizes from the origin the inertia is still that about the centroid. */
+static void far_from_the_origin_the_mass_is_the_same(void) {
+    uint32_t v;
+    float o = 4194304;
+    tetrahedron();
+    for (v = 0; v < 4; v++) place(v, o + (v == 1), o + (v == 2), o + (v == 3));
+    examine();
+    CHECK(g->mass_known);
+    CHECK(near(g->inertia[0], 0.0125f, 1e-7f) && near(g->inertia[3], 0.0125f, 1e-7f));
+    CHECK(near(g->inertia[1], 1.0f / 480, 1e-8f) && near(g->inertia[5], 0.0125f, 1e-7f));
+    CHECK(near(g->centroid.x, o, 0.5f));
+}
+
+/* So thin that float sums are noise: then nothing is said. */
+static void the_mass_of_a_paper_thin_body_is_unknown(void) {
+    tetrahedron();
+    place(0, 100.80000305175781f, -0.10227286070585251f, -0.6000000238418579f);
+    place(1, 99.49482727050781f, -0.16715233027935028f, 0.3788813352584839f);
+    place(2, 100.64140319824219f, -0.125f, -0.48105019330978394f);
+    place(3, 99.5f, -0.5f, 0.37500080466270447f);
+    examine();
+    CHECK(g->volume_sign != 0);
+    CHECK(!g->mass_known);
+    CHECK(g->centroid.x == 0 && g->inertia[0] == 0);
+    CHECK_EQUAL(g->convex, NOOK_YES);
+}
+
 /* Scaled by a power of two, everything scales exactly, down to where floats end. */
 static void mass_scales_with_the_mesh(void) {
     static const int32_t exponent[] = {-20, -10, 10, 20};
@@ -433,22 +511,6 @@ static void what_it_cannot_do_without_is_asked_for(void) {
     CHECK(sizeof state <= 256 && sizeof(nook_check_state) <= 256);
 }
 
-static nook_status run(bool closed, nook_shells *shells, uint32_t cut, uint32_t *spent,
-                       nook_geometry *result) {
-    nook_geometry_state state;
-    nook_view view = nook_view_of(&b.mesh);
-    nook_status status = nook_geometry_begin(&state, &view, closed, shells, NULL, result);
-    uint32_t calls = 0;
-    *spent = 0;
-    if (status != NOOK_OK) return status;
-    do {
-        uint32_t units = cut;
-        status = nook_geometry_step(&state, &units);
-        *spent += cut - units;
-    } while (status == NOOK_MORE && ++calls < 1000000);
-    return status;
-}
-
 static void units_are_the_same_however_they_are_cut_and_within_the_bound(void) {
     static const uint32_t cuts[] = {1, 7, 1000, UINT32_MAX};
     uint32_t i, k;
@@ -462,7 +524,7 @@ static void units_are_the_same_however_they_are_cut_and_within_the_bound(void) {
             uint32_t spent;
             nook_geometry result;
             CHECK_EQUAL(run(b.result.watertight == NOOK_YES, NULL, cuts[k], &spent, &result), NOOK_OK);
-            CHECK(spent < 140 * b.mesh.nt + 13 * b.mesh.nv + 20);
+            CHECK(spent < 140 * b.mesh.nt + 13 * b.mesh.nv + 30);
             if (k == 0) first = spent, whole = result;
             CHECK_EQUAL(spent, first);
             CHECK(memcmp(&result.volume, &whole.volume, sizeof result.volume) == 0);
@@ -515,12 +577,15 @@ static const test tests[] = {
     TEST(a_dent_is_concave_and_names_a_vertex_outside_a_triangle),
     TEST(random_double_cones_on_a_grid),
     TEST(slivers_do_not_hide_what_is_not_convex),
+    TEST(a_vertex_of_slivers_only_may_be_outside),
     TEST(isolated_vertices_do_not_spoil_convexity),
     TEST(a_surface_that_goes_round_twice_is_judged_by_its_vertices),
     TEST(two_shells_are_never_convex),
     TEST(a_thin_far_shell_knows_its_inside),
     TEST(a_brick_has_the_centroid_and_inertia_of_the_formula),
     TEST(a_corner_tetrahedron_has_its_products_of_inertia),
+    TEST(far_from_the_origin_the_mass_is_the_same),
+    TEST(the_mass_of_a_paper_thin_body_is_unknown),
     TEST(mass_scales_with_the_mesh),
     TEST(what_it_cannot_do_without_is_asked_for),
     TEST(units_are_the_same_however_they_are_cut_and_within_the_bound),

@@ -66,11 +66,11 @@ typedef struct nook_check_state {
  * nook_is_sound() gives the verdict. Every table may hold any bits: no access leaves the arrays and
  * the bound on steps holds.
  * Steps: at most NOOK_CHECK_UNITS(nt, nv, 0), about 60 nt + 5 nv on a sound mesh; the third number counts
- * triangles that must be held against all vertices (nook_geometry.h: only in closed meshes without a concave
+ * elements that must be held against all others (nook_geometry.h: only in closed meshes without a concave
  * edge but with triangles without area, or wound twice). One unit is at most 450 instructions on M4F. */
 #define NOOK_CHECK_UNITS(nt, nv, doubtful)                                                                   \
-    (175u * (uint64_t)(nt) + 25u * (uint64_t)(nv) + 40u +                                                    \
-     ((doubtful) != 0 ? 50u * (uint64_t)(nt) + 10u * (uint64_t)(doubtful) * (nv) : 0u))
+    (175u * (uint64_t)(nt) + 25u * (uint64_t)(nv) + 50u +                                                    \
+     ((doubtful) != 0 ? (90u + 10u * (uint64_t)(doubtful)) * ((uint64_t)(nt) + (nv)) : 0u))
 
 nook_status nook_check_begin(nook_check_state *state, const nook_view *view, const nook_marks *marks,
                              const nook_report *report, nook_shells *shells, const nook_finder *finder,

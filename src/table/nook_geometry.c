@@ -19,6 +19,8 @@ enum phase {
     SIDES,
     LAYERS,
     DOUBTFUL,
+    LONELY,
+    CONVEX, /* nothing is outside */
     FINISHED
 };
 
@@ -112,38 +114,45 @@ NOOK_APART static void finish_volume(nook_geometry_state *s) {
 
 /* ---- mass ------------------------------------------------------------------------------------------- */
 
-/* The tetrahedron over triangle t from an origin: its volume; its corners in p. */
-static float tetrahedron(const nook_geometry_state *s, uint32_t t, nook_point origin, float scale,
-                         nook_point p[3]) {
+/* The tetrahedron over triangle t from the middle of the box and beyond that from an offset, all scaled: its
+ * volume; its corners in p. */
+static float tetrahedron(const nook_geometry_state *s, uint32_t t, nook_point p[3]) {
     uint32_t i;
-    for (i = 0; i < 3u; i++) p[i] = relative(s, 3u * t + i, origin, scale);
-    return nook_dot(p[0], nook_cross(p[1], p[2])) / 6.0f;
+    for (i = 0; i < 3u; i++)
+        p[i] = nook_sub(relative(s, 3u * t + i, middle(s->result), s->in.mass.scale), s->in.mass.offset);
+    return nook_dot(p[0], nook_cross(nook_sub(p[1], p[0]), nook_sub(p[2], p[0]))) / 6.0f;
 }
 
 NOOK_APART static void add_mass(nook_geometry_state *s, uint32_t t) {
     nook_point p[3];
-    float volume = tetrahedron(s, t, middle(s->result), s->in.mass.scale, p), quarter = 0.25f * volume;
+    float volume = tetrahedron(s, t, p), quarter = 0.25f * volume;
     nook_add(&s->in.mass.sum[0], volume);
     nook_add(&s->in.mass.sum[1], quarter * (p[0].x + p[1].x + p[2].x));
     nook_add(&s->in.mass.sum[2], quarter * (p[0].y + p[1].y + p[2].y));
     nook_add(&s->in.mass.sum[3], quarter * (p[0].z + p[1].z + p[2].z));
 }
 
+/* Only if the sum of floats is near the exact volume: on thinner bodies it is noise, and so would the mass be. */
 NOOK_APART static void finish_mass(nook_geometry_state *s) {
     nook_geometry *r = s->result;
-    nook_point m = middle(r);
-    float volume = nook_sum_value(&s->in.mass.sum[0]), back = nook_power_of_two(size_exponent(s));
-    if (volume == 0) return;
-    r->centroid = nook_make(m.x + nook_sum_value(&s->in.mass.sum[1]) / volume * back,
-                            m.y + nook_sum_value(&s->in.mass.sum[2]) / volume * back,
-                            m.z + nook_sum_value(&s->in.mass.sum[3]) / volume * back);
+    float scale = s->in.mass.scale, volume = nook_sum_value(&s->in.mass.sum[0]), exact, error;
+    nook_point centre;
+    exact = r->signed_volume * scale * scale * scale;
+    error = volume - exact;
+    r->mass_known = error * error < exact * exact * 1e-6f;
+    if (!r->mass_known) return;
+    s->in.mass.offset =
+        nook_make(nook_sum_value(&s->in.mass.sum[1]) / volume, nook_sum_value(&s->in.mass.sum[2]) / volume,
+                  nook_sum_value(&s->in.mass.sum[3]) / volume);
+    centre = nook_scaled(s->in.mass.offset, nook_power_of_two(size_exponent(s)));
+    r->centroid = nook_sub(middle(r), nook_scaled(centre, -1.0f));
 }
 
 /* Over a tetrahedron with one corner at the origin, the integral of x y is a twentieth of its volume
  * times the sum of x y over the corners and over the sum of the corners. */
 NOOK_APART static void add_inertia(nook_geometry_state *s, uint32_t t) {
     nook_point p[3], sum;
-    float part = tetrahedron(s, t, s->result->centroid, s->in.mass.scale, p) / 20.0f;
+    float part = tetrahedron(s, t, p) / 20.0f;
     nook_sum *moment = s->in.mass.sum;
     sum = nook_make(p[0].x + p[1].x + p[2].x, p[0].y + p[1].y + p[2].y, p[0].z + p[1].z + p[2].z);
     nook_add(&moment[0], part * (sum.x * sum.x + p[0].x * p[0].x + p[1].x * p[1].x + p[2].x * p[2].x));
@@ -278,33 +287,54 @@ static uint32_t look_at_layer(nook_geometry_state *s, uint32_t t) {
     return price;
 }
 
-/* A triangle with an area of which edges and layers do not tell: beside one without, or on a surface that goes
- * round more than once. */
-static bool is_doubtful(const nook_geometry_state *s, uint32_t t) {
+/* Whether every vertex that is inside of triangle t is inside of u: they share their plane and face the same way. */
+static bool same_side(const nook_geometry_state *s, uint32_t t, uint32_t u) {
     uint32_t i, axis;
-    if (area_sign(s, t, &axis) == 0) return false;
-    if (s->in.hull.layers != 1u) return true;
     for (i = 0; i < 3u; i++) {
-        uint32_t o = s->view.O[3u * t + i];
-        if (o < 3u * s->view.nt && area_sign(s, nook_triangle(o), &axis) == 0) return true;
+        if (side(s, t, point(s, 3u * u + i)) != 0) return false;
     }
-    return false;
+    return area_sign(s, t, &axis) == turn(s, u, axis);
 }
 
-/* Hold a doubtful triangle against the next vertex; s->at stays until all have been. */
-static uint32_t look_at_doubtful(nook_geometry_state *s, uint32_t t) {
-    uint32_t v = s->in.hull.v++;
-    if (v == 0 && !is_doubtful(s, t)) {
-        s->in.hull.v = 0;
-        return 12 * ORIENT2D;
+static bool is_sliver(const nook_geometry_state *s, uint32_t c) {
+    uint32_t axis;
+    return c < 3u * s->view.nt && area_sign(s, nook_triangle(c), &axis) == 0;
+}
+
+/* A triangle with an area of which edges and layers do not tell: beside one without, or on a surface that goes
+ * round more than once. Those in the plane of the last one held are as good as held. */
+static bool is_doubtful(const nook_geometry_state *s, uint32_t t) {
+    uint32_t i;
+    bool doubtful = s->in.hull.layers != 1u;
+    if (is_sliver(s, 3u * t)) return false;
+    for (i = 0; i < 3u && !doubtful; i++) doubtful = is_sliver(s, s->view.O[3u * t + i]);
+    return doubtful && (s->in.hull.held == NOOK_NONE || !same_side(s, s->in.hull.held, t));
+}
+
+/* A vertex that may be one of slivers only: one at least, and both beside it. */
+static bool is_lonely(const nook_geometry_state *s, uint32_t v) {
+    uint32_t c = s->view.C[v];
+    if (!is_sliver(s, c)) return false;
+    return is_sliver(s, s->view.O[nook_next(c)]) && is_sliver(s, s->view.O[nook_prev(c)]);
+}
+
+/* Hold a doubtful triangle against the next vertex, or a lonely vertex against the next triangle; s->at stays
+ * until all have been. */
+static uint32_t hold(nook_geometry_state *s, uint32_t i) {
+    bool lonely = s->phase == LONELY;
+    uint32_t k = s->in.hull.against++, t = lonely ? k : i, v = lonely ? i : k;
+    if (k == 0 && !(lonely ? is_lonely(s, v) : is_doubtful(s, t))) {
+        s->in.hull.against = 0;
+        return 13 * ORIENT2D + 3 * ORIENT3D;
     }
     if (s->view.C[v] != NOOK_STORED_NONE && side(s, t, &s->view.G[v]) > 0) found_outside(s, v, t);
-    if (s->in.hull.v == s->view.nv) {
-        s->in.hull.v = 0;
-    } else {
+    if (s->in.hull.against != (lonely ? s->view.nt : s->view.nv)) {
         s->at--;
+    } else {
+        s->in.hull.against = 0;
+        s->in.hull.held = t;
     }
-    return ORIENT3D + (v == 0 ? 12 * ORIENT2D : 0);
+    return k == 0 ? 13 * ORIENT2D + 4 * ORIENT3D : ORIENT3D;
 }
 
 /* ---- passes --------------------------------------------------------------------------------------------- */
@@ -313,7 +343,8 @@ static uint32_t look_at_doubtful(nook_geometry_state *s, uint32_t t) {
 static uint32_t length(const nook_geometry_state *s) {
     switch (s->phase) {
     case BOX:
-    case SPAN: return s->view.nv;
+    case SPAN:
+    case LONELY: return s->view.nv;
     case CLEAR:
     case SHELLS: return s->shells != NULL ? s->shells->count : 0;
     case EDGES: return 3u * s->view.nt;
@@ -335,7 +366,7 @@ static uint32_t visit(nook_geometry_state *s, uint32_t i) {
     case SPAN: return span(s, i);
     case SIDES: return look_at_side(s, i);
     case LAYERS: return look_at_layer(s, i);
-    default: return look_at_doubtful(s, i);
+    default: return hold(s, i);
     }
 }
 
@@ -353,7 +384,12 @@ NOOK_APART static void finish_surface(nook_geometry_state *s) {
     s->result->area = nook_sum_value(&s->in.mass.sum[0]) * back * back;
 }
 
-/* Every pass begins with its part of the state cleared, but for those about the hull. */
+/* After the layers: is there anything left that may be outside? With several shells the answer is no already. */
+static uint32_t after_layers(const nook_geometry_state *s) {
+    if (s->shells != NULL && s->shells->count > 1u) return FINISHED;
+    return s->result->zero_area_triangles == 0 && s->in.hull.layers == 1u ? CONVEX : DOUBTFUL;
+}
+
 static void next_pass(nook_geometry_state *s) {
     s->at = 0;
     s->debt = 2;
@@ -362,16 +398,22 @@ static void next_pass(nook_geometry_state *s) {
     case SHELLS: finish_volume(s); break;
     case MASS: finish_mass(s); break;
     case INERTIA: finish_inertia(s); break;
-    case LAYERS:
-        if (s->result->zero_area_triangles == 0 && s->in.hull.layers == 1u) s->phase = FINISHED;
-        break;
+    case LAYERS: s->phase = after_layers(s); break;
     default: break;
     }
     if (s->phase == MASS && s->result->volume_sign == 0) s->phase = AREAS;
+    if (s->phase == INERTIA && !s->result->mass_known) s->phase = AREAS;
     if (s->phase > EDGES && is_decided(s)) s->phase = FINISHED;
-    if (s->phase == FINISHED && s->result->convex == NOOK_NO && !is_decided(s)) s->result->convex = NOOK_YES;
-    if (s->phase <= SPAN) memset(&s->in, 0, sizeof s->in);
-    if (s->phase <= INERTIA) s->in.mass.scale = nook_power_of_two(254u - size_exponent(s));
+    if (s->phase == CONVEX) {
+        s->result->convex = NOOK_YES;
+        s->phase = FINISHED;
+    }
+    if (s->phase == SURFACE) s->in.mass.scale = nook_power_of_two(254u - size_exponent(s));
+    if (s->phase == MASS || s->phase == INERTIA) memset(s->in.mass.sum, 0, sizeof s->in.mass.sum);
+    if (s->phase == SPAN) {
+        memset(&s->in, 0, sizeof s->in);
+        s->in.hull.held = NOOK_NONE;
+    }
 }
 
 nook_status nook_geometry_step(nook_geometry_state *s, uint32_t *units) {

@@ -37,8 +37,11 @@ typedef struct nook_geometry {
     nook_volume volume; /* six times the signed volume, exact */
     int volume_sign;
     float signed_volume; /* rounded once */
-    nook_point centroid; /* of the solid; 0 without volume */
-    float inertia[6];    /* of the solid about its centroid, density 1: xx, xy, xz, yy, yz, zz (as in URDF) */
+    /* Of the solid of density 1: its centroid, and its inertia about that: xx, xy, xz, yy, yz, zz, as in URDF.
+     * Only with mass_known: where there is a volume, and float32 sums come within a thousandth of it. */
+    bool mass_known;
+    nook_point centroid;
+    float inertia[6];
     /* It has a volume, and no vertex is outside the plane of a triangle. If not convex, such a vertex and triangle
      * are the witness; NOOK_NONE without volume. */
     nook_truth convex;
@@ -57,14 +60,15 @@ typedef struct nook_geometry_state {
     bool closed;
     union {
         struct {
-            float scale;     /* brings the box to about 1 */
-            nook_sum sum[6]; /* area; or volume and three moments; or six second moments */
+            float scale;       /* brings the box to about 1 */
+            nook_point offset; /* of the centroid from the middle of the box, scaled */
+            nook_sum sum[6];   /* area; or volume and three moments; or six second moments */
         } mass;
         struct {
             uint32_t vertex[4], found; /* four vertices that span a volume */
             uint32_t axis;             /* against which the first three turn */
             uint32_t layers;           /* triangles above the first of them */
-            uint32_t v;
+            uint32_t against, held;    /* next to hold the present item against; the last triangle held */
         } hull;
     } in;
 } nook_geometry_state;
@@ -78,12 +82,13 @@ typedef struct nook_geometry_state {
  *   NOOK_NULL_ARGUMENT
  * Convexity takes one pass: every edge convex or flat, four vertices that span a volume on the inner
  * side of every triangle, and one triangle above a point between them (Mehlhorn et al. 1999). Where that does
- * not tell, triangles are held against all vertices: k of them beside triangles without area, or all
+ * not tell, triangles are held against all vertices and vertices against all triangles: k of them, beside
+ * triangles without area (one for each run of them in a plane) and vertices of nothing else, or all
  * if the surface goes round more than once.
- * Steps: less than 140 nt + 13 nv + 20 units; with k > 0 such triangles 50 nt + 10 k nv more.
+ * Steps: less than 140 nt + 13 nv + 30 units; with k > 0 such elements 90 (nt + nv) + 10 k (nv + nt) more.
  * About 40 nt on a mesh with a concave edge, 90 nt on a convex one. A unit is at most 450 instructions on
  * M4F; exact signs are paid at their worst, 9 units for orient3d and 4 for orient2d, so the mean is far
- * less. What is begun is done: a call may overdraw its units by 56, and the next calls pay first. */
+ * less. What is begun is done: a call may overdraw its units by 88, and the next calls pay first. */
 nook_status nook_geometry_begin(nook_geometry_state *state, const nook_view *view, bool closed,
                                 nook_shells *shells, const nook_finder *finder, nook_geometry *result);
 nook_status nook_geometry_step(nook_geometry_state *state, uint32_t *units);

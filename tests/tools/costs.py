@@ -43,7 +43,8 @@ compiler = run(opts.cross + 'gcc', '--version').splitlines()[0]
 costs = measure()
 if opts.update:
     TABLE.write_text(f'{compiler}\n' + ''.join(f'{" ".join(key)} {cost}\n' for key, cost in costs.items()))
-    sys.exit(f'wrote {len(costs)} lines to {TABLE}; read what changed before you commit it')
+    print(f'wrote {len(costs)} lines to {TABLE}; read what changed before you commit it')
+    sys.exit()
 first, *lines = TABLE.read_text().splitlines()
 if first != compiler:
     print(f'SKIPPED: the table is of "{first}", this is "{compiler}"')
