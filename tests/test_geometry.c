@@ -371,6 +371,56 @@ static void two_shells_are_never_convex(void) {
     CHECK_EQUAL(g->convex, NOOK_NO);
 }
 
+/* Closed meshes of no extent: every answer is there, and no is the answer. */
+static void points_that_are_all_equal_or_on_a_line_or_in_a_plane_have_no_solid(void) {
+    static const float at[] = {0, -0.0f, 1e-45f, 1073741824.0f, -0.1f};
+    uint32_t i, dimension, v;
+    for (i = 0; i < 5; i++) {
+        for (dimension = 0; dimension < 3; dimension++) {
+            cube();
+            for (v = 0; v < 8; v++) {
+                nook_point p = b.mesh.G[v];
+                place(v, at[i], dimension > 0 ? p.y + p.z : at[i], dimension > 1 ? p.z : at[i]);
+            }
+            examine();
+            CHECK(g->known && !g->mass_known);
+            CHECK_EQUAL(g->zero_area_triangles == 12, dimension < 2);
+            CHECK_EQUAL(g->concave_edges + g->convex_edges, 0);
+            CHECK_EQUAL(g->flat_edges + g->folded_edges != 0, dimension == 2);
+            CHECK(g->signed_volume == 0 && (g->area == 0) == (dimension < 2));
+            CHECK_EQUAL(g->convex, NOOK_NO);
+            CHECK_EQUAL(g->witness_vertex, NOOK_NONE);
+            CHECK_EQUAL(told[NOOK_FLAT_SHELL], 1);
+            CHECK(g->box_min.x == at[i] && g->box_max.x == at[i]);
+            CHECK(!nook_is_sound(&b.result));
+        }
+    }
+}
+
+/* A cube whose corners are a last place off: convex or not as the exact signs say, and never both. */
+static void a_cube_a_last_place_off_is_convex_or_names_its_witness(void) {
+    dice d = {8u};
+    uint32_t round, v, convex = 0;
+    for (round = 0; round < 200 && !test_has_failed(); round++) {
+        cut_cube();
+        for (v = 0; v < 14; v++) {
+            nook_point p = b.mesh.G[v];
+            uint32_t bits = nook_float_bits(p.x + 1) + throw_dice(&d, 5) / 4;
+            place(v, nook_float_from(bits), p.y + 0.1f, p.z * 1073741824.0f / 8);
+        }
+        examine();
+        convex += g->convex == NOOK_YES;
+        CHECK((g->convex == NOOK_NO) == (g->witness_vertex != NOOK_NONE));
+        CHECK(g->convex == NOOK_NO || g->concave_edges == 0);
+        if (g->convex == NOOK_NO) {
+            const nook_point *G = b.mesh.G;
+            const nook_index *V = b.mesh.V + 3 * g->witness_triangle;
+            CHECK_EQUAL(nook_orient3d(&G[V[0]], &G[V[1]], &G[V[2]], &G[g->witness_vertex]), 1);
+        }
+    }
+    CHECK(convex > 0 && convex < 200);
+}
+
 /* ---- volume and mass ------------------------------------------------------------------------------------- */
 
 /* A brick so thin and so far away that a float sum gets its sign by chance. */
@@ -581,6 +631,8 @@ static const test tests[] = {
     TEST(isolated_vertices_do_not_spoil_convexity),
     TEST(a_surface_that_goes_round_twice_is_judged_by_its_vertices),
     TEST(two_shells_are_never_convex),
+    TEST(points_that_are_all_equal_or_on_a_line_or_in_a_plane_have_no_solid),
+    TEST(a_cube_a_last_place_off_is_convex_or_names_its_witness),
     TEST(a_thin_far_shell_knows_its_inside),
     TEST(a_brick_has_the_centroid_and_inertia_of_the_formula),
     TEST(a_corner_tetrahedron_has_its_products_of_inertia),
