@@ -583,6 +583,20 @@ static void units_are_the_same_however_they_are_cut_and_within_the_bound(void) {
     }
 }
 
+/* Exact signs are paid at their worst, so that a slice of a tick can be counted on: 9 units a side of a plane, 4 a
+ * turn. The cube's 12 convex edges, 6 flat ones, and 4 sides of 12 triangles alone come to 690. */
+static void the_units_of_a_cube_are_those_of_its_passes(void) {
+    uint32_t spent;
+    nook_geometry result;
+    cube();
+    examine();
+    CHECK_EQUAL(run(true, NULL, 5, &spent, &result), NOOK_OK);
+    CHECK(spent > 12 * 9 + 6 * (9 + 16) + 4 * 12 * 9 + 12 * (3 + 2 + 3 + 12));
+    CHECK_EQUAL(spent, 1099);
+    CHECK_EQUAL(run(false, NULL, 5, &spent, &result), NOOK_OK);
+    CHECK_EQUAL(spent, 478);
+}
+
 /* Any bits in O: other answers, but within the bound and inside the arrays. */
 static void any_opposites_end_in_time(void) {
     dice d = {5150u};
@@ -641,6 +655,7 @@ static const test tests[] = {
     TEST(mass_scales_with_the_mesh),
     TEST(what_it_cannot_do_without_is_asked_for),
     TEST(units_are_the_same_however_they_are_cut_and_within_the_bound),
+    TEST(the_units_of_a_cube_are_those_of_its_passes),
     TEST(any_opposites_end_in_time),
     TEST(a_single_opposite_out_of_range_takes_one_edge_away),
 };

@@ -3,7 +3,7 @@
  * The input begins with the sizes and the options, then come V and G, then what is written over O and C at
  * the end, then the slices. Everything is done twice, in one call and in slices, on tables in heap blocks of
  * exactly their size. Must hold: the statuses are those of the headers; no more units than they state; both
- * runs leave the same tables, reports, results, shells and finds; an error leaves the mesh as it was; welded
+ * runs take the same units and leave the same tables, reports, results, shells and finds; an error leaves the mesh as it was; welded
  * points differ; O pairs corners; report, survey and O are those of the naive oracle of the tests; what is
  * called sound is closed, coherent and welded into single fans; nothing is sound with O written over unless
  * it is the same again. */
@@ -99,7 +99,7 @@ typedef struct snapshot {
 typedef struct outcome {
     nook_status weld, link, check, survey;
     nook_where weld_where, link_where;
-    uint32_t dropped;
+    uint32_t dropped, units; /* units: of all calls together, however they were cut */
     snapshot linked, spoiled;
     nook_report report;
     nook_check_result result, spoiled_result;
@@ -143,6 +143,7 @@ static uint32_t next_slice(uint32_t bound) {
             spent += slice_units - units;                                                                    \
             EXPECT(spent <= most);                                                                           \
         } while ((status) == NOOK_MORE);                                                                     \
+        if ((status) == NOOK_OK) now->units += spent;                                                        \
     } while (0)
 
 static void make_tables(void) {
