@@ -115,10 +115,10 @@ static void print_element(FILE *to, const model *m, const verdict *v, nook_statu
     (void)fputc('\n', to);
 }
 
-static void print_defect(FILE *to, const model *m, const verdict *v, nook_status kind) {
+static void print_defect(FILE *to, const model *m, const verdict *v, nook_status kind, bool decides) {
     const defect *d = &v->defects[kind];
     uint32_t i, listed = kind == NOOK_EMPTY_MESH ? d->count : d->listed;
-    (void)fputs(is_error(kind) ? "  " : "  note: ", to);
+    (void)fputs(decides && is_error(kind) ? "  " : "  note: ", to);
     print_count(to, kind, d->count);
     (void)fprintf(to, ": %s\n", wording_of(kind).meaning);
     for (i = 0; i < listed && kind != NOOK_EMPTY_MESH; i++) print_element(to, m, v, kind, i);
@@ -126,11 +126,11 @@ static void print_defect(FILE *to, const model *m, const verdict *v, nook_status
         (void)fprintf(to, "      ... and %" PRIu32 " more\n", d->count - listed);
 }
 
-static void print_reasons(FILE *to, const model *m, const verdict *v) {
+static void print_reasons(FILE *to, const model *m, const verdict *v, bool sound) {
     int kind;
     uint32_t joinable;
     for (kind = 0; kind < NOOK_STATUS_COUNT; kind++) {
-        if (v->defects[kind].count != 0) print_defect(to, m, v, (nook_status)kind);
+        if (v->defects[kind].count != 0) print_defect(to, m, v, (nook_status)kind, !sound);
     }
     if (m->welded || v->check.border_edges == 0) return;
     joinable = model_joinable(m);
@@ -231,6 +231,6 @@ static void print_figures(FILE *to, const model *m, const verdict *v) {
 void report_text(FILE *to, const char *file, const model *m, const verdict *v, uint32_t required) {
     print_verdict(to, file, m, v, required);
     print_unmet(to, m, v, required);
-    print_reasons(to, m, v);
+    print_reasons(to, m, v, is_sound(v, m, required));
     print_figures(to, m, v);
 }

@@ -23,11 +23,15 @@
  *                                    NOOK_MORE to be called again, else an error; what is left of
  *                                    units can be handed to the next call
  *     nook_X(...)                    both in a loop
- * (nook_digest() and nook_drop_degenerate() are one plain pass and have only the last form.)
+ * (nook_digest() and nook_drop_degenerate() are one plain pass and have only the last form; nook_survey and
+ * nook_geometry, which link and check run for you, only the first two.) begin copies views and marks; all else it
+ * is given must stay until the end. Between steps nobody else may write the tables or the marks, and results say
+ * nothing before NOOK_OK. A weld or link that is given up leaves the tables half done.
  * Each header says what a unit is and the most instructions it costs. States are at most 256
- * bytes. Nothing recurses. The worst stack, helpers of the compiler included, is 640 bytes on Cortex-M0 and 590 on
- * M4F (one-call nook_check, which holds its state there), 500 for one-call nook_link, 440 for a step of check and
- * for the STL and number parsers, 310 and less for all others; `make stack` prints it function by function.
+ * bytes. Nothing recurses. The worst stack, helpers of the compiler included, is 650 bytes on Cortex-M0 and 620 on
+ * M4F (one-call nook_check, which holds its state there), 500 for one-call nook_link, 460 for a step of check and
+ * for the STL and number parsers, 410 for a step of geometry, 310 and less for all others; `make stack` prints it
+ * function by function.
  *
  * Numbers. float32 only; the same bits on every core (build with -ffp-contract=off and without
  * -ffast-math). Coordinates are in any unit, finite, at most 2^30. Whatever is a yes or no (which side, how

@@ -476,6 +476,28 @@ static void a_volume_of_nothing_is_flat_and_not_inside_out(void) {
     CHECK_EQUAL(all_found(), 4);
 }
 
+/* O alone: where every corner is paired there is a volume; what kind of edges there are stays unknown. */
+static void without_a_report_a_whole_O_has_a_volume_and_no_more(void) {
+    cube();
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    CHECK_EQUAL(check_as_it_is(NULL), NOOK_OK);
+    CHECK(b.result.geometry.signed_volume == 1);
+    CHECK_EQUAL(b.result.geometry.convex, NOOK_YES);
+    CHECK_EQUAL(b.result.inside_out, NOOK_MAYBE);
+    CHECK_EQUAL(b.result.watertight, NOOK_MAYBE);
+    CHECK(!nook_is_sound(&b.result));
+    b.mesh.nt = 11; /* the hole is all that the last one leaves */
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    CHECK_EQUAL(check_as_it_is(NULL), NOOK_OK);
+    CHECK_EQUAL(b.result.geometry.volume_sign, 0);
+    CHECK_EQUAL(nook_volume_sign(&b.result.geometry.volume), 0);
+    CHECK_EQUAL(b.result.geometry.convex, NOOK_MAYBE);
+    b.mesh.nt = 0;
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    CHECK_EQUAL(check_as_it_is(NULL), NOOK_OK);
+    CHECK_EQUAL(b.result.geometry.convex, NOOK_MAYBE);
+}
+
 /* Marks that change while a check runs: any answer, but in time and in bounds. */
 static void marks_spoiled_on_the_way_end_in_time(void) {
     uint32_t i;
@@ -714,6 +736,7 @@ static const test tests[] = {
     TEST(a_defective_mesh_linked_without_marks_stays_unknown),
     TEST(a_report_that_does_not_fit_the_tables_is_not_believed),
     TEST(shells_one_by_one_must_not_be_inside_out),
+    TEST(without_a_report_a_whole_O_has_a_volume_and_no_more),
     TEST(a_volume_of_nothing_is_flat_and_not_inside_out),
     TEST(marks_spoiled_on_the_way_end_in_time),
     TEST(a_report_of_another_mesh_and_missing_arguments_are_refused),

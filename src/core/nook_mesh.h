@@ -94,7 +94,7 @@ static inline nook_index nook_store(uint32_t index) { return (nook_index)index; 
 
 /* CRC-32 (IEEE 802.3, reflected) over V, T, G, V[], O[], every item as a little-endian 32-bit
  * word, floats as their bits with -0 as +0: one number that says whether a PC and a board, or two
- * index widths, hold the same mesh. Steps: 4 (2 + 3 nv + 6 nt) bytes. Stack: see README. */
+ * index widths, hold the same mesh. Steps: 4 (2 + 3 nv + 6 nt) bytes. Stack: 72 bytes. */
 uint32_t nook_digest(const nook_view *view);
 
 #endif

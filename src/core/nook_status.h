@@ -69,7 +69,8 @@ static inline nook_where nook_at(nook_kind kind, uint32_t index) {
 }
 
 /* Called once for each defect found, in the order found. found may be null. The mesh must not be
- * changed from inside. */
+ * changed from inside; while link runs, O and C hold other things. After NOOK_INDEX_OUT_OF_RANGE the corner's V is
+ * no vertex. */
 typedef struct nook_finder {
     void (*found)(void *user, nook_status defect, nook_where where);
     void *user;

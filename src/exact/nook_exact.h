@@ -10,7 +10,7 @@
  *   sum       the determinant as a sum of products of three floats, added up in one fixed-point number
  *             that spans all exponents (Kulisch)
  * NaN and infinities must not come in (nook_check finds them); they give some sign, never a bad access.
- * Loops: at most 24 products, each at most 27 words. Stack and instructions: README.md. */
+ * Loops: at most 24 products, each at most 27 words. `make stack` and tests/costs.txt have stack and instructions. */
 #ifndef NOOK_EXACT_H
 #define NOOK_EXACT_H
 
@@ -18,7 +18,7 @@
 
 /* The side of the plane of a, b, c on which d lies, as a sign: +1 where a b c run counter-clockwise seen
  * from d (d is outside, where the normal points), -1 on the other side, 0 if the four are coplanar.
- * This is the sign of (b-a) x (c-a) . (d-a). */
+ * This is the sign of (b-a) x (c-a) . (d-a), as of CGAL's orientation(); Shewchuk's orient3d has the opposite. */
 int nook_orient3d(const nook_point *a, const nook_point *b, const nook_point *c, const nook_point *d);
 
 /* The turn a -> b -> c seen against axis 0, 1, 2 (x, y, z; the coordinate that is dropped): +1 counter-
@@ -27,7 +27,7 @@ int nook_orient3d(const nook_point *a, const nook_point *b, const nook_point *c,
 int nook_orient2d(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t axis);
 
 /* The first axis along which the triangle a, b, c is seen with an area, in *axis, and orient2d there;
- * 0 if the three lie on a line: a triangle without area. */
+ * 0, and any axis, if the three lie on a line: a triangle without area. */
 int nook_facing(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t *axis);
 
 /* +1 if a is farther from b than c from d, -1 if nearer, 0 if both distances are equal. */

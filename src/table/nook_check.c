@@ -108,7 +108,9 @@ static nook_status conclude(nook_check_state *s) {
     s->phase = good && r->bad_coordinates == 0 ? GEOMETRY : FINISHED;
     if (s->report != NULL && good) copy_report(r, s->report);
     if (s->phase == FINISHED) return NOOK_OK;
-    closed = r->watertight == NOOK_YES && r->oriented == NOOK_YES;
+    /* With every corner paired there is an inside, whether or not some edge has two pairs. */
+    closed = s->report != NULL ? r->watertight == NOOK_YES && r->oriented == NOOK_YES
+                               : s->loose == 0 && r->triangles != 0;
     return nook_geometry_begin(&s->in.geometry, &s->view, closed, s->shells, s->finder, &r->geometry);
 }
 
@@ -133,7 +135,7 @@ NOOK_APART static nook_status begin_survey(nook_check_state *s) {
 }
 
 static void conclude_solid(nook_check_result *r) {
-    r->inside_out = truth(r->geometry.volume_sign < 0);
+    if (r->watertight == NOOK_YES) r->inside_out = truth(r->geometry.volume_sign < 0);
     if (r->survey.components != 1u) r->geometry.convex = NOOK_NO;
 }
 

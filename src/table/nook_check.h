@@ -54,14 +54,17 @@ typedef struct nook_check_state {
 
 /* Check a view.
  *   marks   for nt triangles and nv vertices
- *   report  what link said of this mesh, or null: then what O alone cannot tell is unknown
+ *   report  what link said of this mesh. Null: then edges that O leaves alone are taken for borders, though they
+ *           may be incoherent or non-manifold; the survey is of the mesh cut there, and which edges there
+ *           are, and with them manifold, watertight and oriented, is unknown. Nothing is sound without it
  *   shells  each component described, signed volumes included; the same struct that was given to
  *           link; may be null
  *   finder  told of what check itself finds: bad tables and numbers, isolated vertices, what
  *           nook_geometry finds, and the survey's findings if it is done here. Edges and duplicates were told by link. May be null
  *   NOOK_NULL_ARGUMENT, NOOK_NO_CAPACITY (marks too small, or report of another triangle count)
  * A report that cannot be of these tables (its edges do not add up to the corners that O leaves alone) is
- * taken for no report.
+ * taken for no report: edges is then NOOK_UNKNOWN. view and marks are copied; report, shells, finder, result and
+ * the tables must stay until the end, and nobody else may touch the marks; result says nothing before that.
  * A defect is not an error of the call: step returns NOOK_OK when the check is finished, and
  * nook_is_sound() gives the verdict. Every table may hold any bits: no access leaves the arrays and
  * the bound on steps holds.

@@ -105,6 +105,7 @@ NOOK_APART static void finish_shell(nook_geometry_state *s, uint32_t k) {
 
 NOOK_APART static void finish_volume(nook_geometry_state *s) {
     nook_geometry *r = s->result;
+    if (!s->closed) nook_volume_clear(&r->volume);
     if (!s->closed) return;
     r->volume_sign = nook_volume_sign(&r->volume);
     r->signed_volume = nook_volume_value(&r->volume);

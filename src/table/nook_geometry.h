@@ -25,9 +25,9 @@ typedef struct nook_geometry {
     float area;
     uint32_t zero_area_triangles; /* three different vertices on one line */
 
-    /* Edges of two triangles that run it in opposite directions, seen from outside: from the side the
-     * triangles face, or from the other if the volume is negative. Edges beside a triangle without area count
-     * as none of them. */
+    /* Edges of two triangles that run it in opposite directions, seen from the side the triangles face; of a
+     * closed mesh from outside, which is the other side if the volume is negative. Edges beside a triangle
+     * without area count as none of them, so the four need not add up to all edges. */
     uint32_t concave_edges; /* the far corner of each triangle lies above the plane of the other */
     uint32_t convex_edges;  /* below */
     uint32_t flat_edges;    /* in it, and both face the same way */
@@ -37,8 +37,9 @@ typedef struct nook_geometry {
     nook_volume volume; /* six times the signed volume, exact */
     int volume_sign;
     float signed_volume; /* rounded once */
-    /* Of the solid of density 1: its centroid, and its inertia about that: xx, xy, xz, yy, yz, zz, as in URDF.
-     * Only with mass_known: where there is a volume, and float32 sums come within a thousandth of it. */
+    /* Of the solid of density 1, whichever way its triangles face: the centroid, and the inertia about it in
+     * the order of URDF, xx, xy, xz, yy, yz, zz, where xy is minus the integral of x y; times m / |volume| for
+     * a mass m. Only with mass_known: where there is a volume, and float32 sums come within a thousandth of it. */
     bool mass_known;
     nook_point centroid;
     float inertia[6];

@@ -36,7 +36,7 @@ typedef struct nook_shell {
     uint32_t triangles;
     uint32_t vertices;         /* distinct ones */
     uint32_t fans;             /* vertices after cutting at non-manifold ones */
-    bool has_nonmanifold_edge; /* then the next five say nothing */
+    bool has_nonmanifold_edge; /* then the next four say nothing, and there is no volume */
     bool orientable;
     uint32_t border_edges, border_loops;
     uint32_t incoherent_edges;

@@ -23,13 +23,3 @@ for mesh in ordered shuffled hub; do
     $dir/draco $dir/$mesh.obj "$([ $mesh = hub ] && echo 3 || echo 20)"
     count 'link_faces*' $dir/draco $dir/$mesh.obj 1
 done
-
-# The most instructions of one unit of work, on the emulated Cortex-M4F.
-if command -v arm-none-eabi-gcc >/dev/null && command -v qemu-system-arm >/dev/null; then
-    arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -std=c99 -O2 -ffp-contract=off -fno-math-errno \
-        -ffunction-sections -Isrc -Iport -Itests tests/bench/units.c tests/check.c src/*/*.c port/semihosting/nook_port.c \
-        boards/cortex_m/startup.c -nostartfiles --specs=nano.specs -Lboards/cortex_m -T boards/mps2-an386/board.ld \
-        -Wl,--gc-sections -o $dir/units.elf
-    timeout 100 qemu-system-arm -M mps2-an386 -icount shift=6,sleep=off -display none -monitor none -serial null \
-        -chardev stdio,id=sh -semihosting-config enable=on,target=native,chardev=sh -kernel $dir/units.elf
-fi

@@ -1,7 +1,7 @@
 /* fuzz.h -- what the fuzz targets share: a condition that must hold, and memory that ends where it should.
  *
  * libFuzzer calls LLVMFuzzerTestOneInput() with bytes of its own making; a target fails by ending the
- * program, and run.sh counts that. Built with AddressSanitizer, so exact() blocks show every access beyond. */
+ * program, and run.sh counts that. AddressSanitizer sees every access beyond an exact() block. */
 #ifndef FUZZ_H
 #define FUZZ_H
 

@@ -3,10 +3,10 @@
  * The input begins with the sizes and the options, then come V and G, then what is written over O and C at
  * the end, then the slices. Everything is done twice, in one call and in slices, on tables in heap blocks of
  * exactly their size. Must hold: the statuses are those of the headers; no more units than they state; both
- * runs take the same units and leave the same tables, reports, results, shells and finds; an error leaves the mesh as it was; welded
- * points differ; O pairs corners; report, survey and O are those of the naive oracle of the tests; what is
- * called sound is closed, coherent and welded into single fans; nothing is sound with O written over unless
- * it is the same again. */
+ * runs take the same units and leave the same tables, reports, results, shells and finds; an error leaves
+ * the mesh as it was; welded points differ; O pairs corners; report, survey and O are those of the naive
+ * oracle of the tests; what is called sound is closed, coherent and of single fans; and nothing is sound once
+ * O has been written over, unless with the same again. */
 #include "bounds.h"
 #include "fuzz.h"
 #include "oracle.h"
@@ -15,10 +15,7 @@ enum { MOST_FUZZ_V = 48, MOST_FUZZ_T = 40 };
 
 /* ---- the input -------------------------------------------------------------------------------------- */
 
-static struct {
-    const uint8_t *at, *end;
-    uint32_t wraps;
-} input;
+static struct { const uint8_t *at, *end; } input;
 
 static uint32_t next_byte(void) { return input.at < input.end ? *input.at++ : 0; }
 
@@ -368,7 +365,7 @@ static void check_spoiled(void) {
     EXPECT(now->survey == NOOK_OK || now->survey == NOOK_BAD_OPPOSITE);
 }
 
-/* ---- both runs ------------------------------------------------------------------------------------------ */
+/* ---- both runs ---------------------------------------------------------------------------------------- */
 
 static void keep(snapshot *to) {
     memcpy(to->G, mesh.G, mesh.nv * sizeof *mesh.G);

@@ -1,9 +1,9 @@
 /* fuzz_stl.c -- any bytes as an STL that arrives in chunks of any size.
  *
- * The last nine bytes of the input say how: eight chunk sizes, used in turn, and what size the reader is told.
- * Each chunk lies in a heap block of its own. Must hold: the triangles, the statuses and the places are those
- * of the same bytes in one chunk; bytes are used up from the front; a triangle's points can be used; an error
- * is given again by every later call, without taking bytes. */
+ * The last nine bytes of the input say how: eight chunk sizes, used in turn, and what size the reader is
+ * told. Each chunk lies in a heap block of its own. Must hold: the triangles, the statuses and the places are
+ * those of the same bytes in one chunk; bytes are used up from the front; a triangle's points can be used; an
+ * error is given again by every later call, without taking bytes. */
 #include "fuzz.h"
 
 enum { SIZES = 8 };

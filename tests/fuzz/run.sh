@@ -30,12 +30,16 @@ if [ -x build/nook ]; then
         build/nook make tetrahedron --defect $defect -o $out/corpus_file/$defect.ply 2>/dev/null
     done
 fi
-facet='facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1e0 0.5 -2\nvertex +3. .25 1E-3\nendloop\nendfacet\n'
+facet='facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1e0 0.5 -2\nvertex +3. .25 1E-3\nendloop\n'
+facet="${facet}endfacet\n"
 # shellcheck disable=SC2059 # the facet is a format
 printf "solid a b\n${facet}${facet}endsolid a b\n" >$out/corpus_file/text.stl
 { cat $out/corpus_file/text.stl; printf '\001\002\003\004\005\006\007\010\000'; } >$out/corpus_stl/text
-printf 'v 0 0 0\nv 1 0 0 # c\nv 0 1 0\nv 0 0 1\nf 1/1/1 3//2 2\nf 1 2 4\nf -3 -2 -1\nf 1 4 3 \\\n2\n' >$out/corpus_file/text.obj
-printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >$out/corpus_file/text.ply
+printf '%s\n' 'v 0 0 0' 'v 1 0 0 # c' 'v 0 1 0' 'v 0 0 1' 'f 1/1/1 3//2 2' 'f 1 2 4' 'f -3 -2 -1' 'f 1 4 3 \' 2 \
+    >$out/corpus_file/text.obj
+printf '%s\n' ply 'format ascii 1.0' 'element vertex 3' 'property float x' 'property float y' 'property float z' \
+    'element face 1' 'property list uchar int vertex_indices' end_header '0 0 0' '1 0 0' '0 1 0' '3 0 1 2' \
+    >$out/corpus_file/text.ply
 
 # Of fuzz_mesh: vertices - 1, triangles, options, shells; V; G in a grid; nothing spoiled; slices.
 mesh() { # name, vertices - 1 and triangles and the rest, as printf has it
@@ -59,13 +63,14 @@ fuzz() { # name, longest input, index bits, sources and flags
     name=$1 longest=$2 bits=$3
     shift 3
     # shellcheck disable=SC2086
-    if ! $CC $FLAGS -DNOOK_INDEX_BITS=$bits -fsanitize=fuzzer,address,undefined src/*/*.c tests/fuzz/fuzz_$name.c "$@" -o $out/fuzz_$name; then
+    if ! $CC $FLAGS -DNOOK_INDEX_BITS=$bits -fsanitize=fuzzer,address,undefined src/*/*.c \
+        tests/fuzz/fuzz_$name.c "$@" -o $out/fuzz_$name; then
         say_failed "fuzz_$name does not compile"
         return
     fi
     if $out/fuzz_$name -seed=1 -max_total_time=$((seconds / 3)) -max_len=$longest -timeout=10 -rss_limit_mb=2048 \
-        -malloc_limit_mb=512 -artifact_prefix=$out/${name}_ -dict=tests/fuzz/mesh.dict -use_value_profile=0 \
-        -print_final_stats=1 -verbosity=1 $out/corpus_$name >$out/$name.log 2>&1; then
+        -malloc_limit_mb=512 -artifact_prefix=$out/${name}_ -dict=tests/fuzz/mesh.dict \
+        -print_final_stats=1 $out/corpus_$name >$out/$name.log 2>&1; then
         passed=$((passed + 1))
         echo "fuzz_$name: $(sed -n 's/^stat::number_of_executed_units: *//p' $out/$name.log) inputs," \
             "$(ls $out/corpus_$name | wc -l) kept, $(sed -n 's/.*DONE *\(cov: [0-9]*\).*/\1/p' $out/$name.log)," \
@@ -75,7 +80,7 @@ fuzz() { # name, longest input, index bits, sources and flags
         say_failed "fuzz_$name; try: $out/fuzz_$name $out/${name}_..."
     fi
 }
-helpers= # of fuzz_mesh: not instrumented, since only the library's paths are to be found, and ten times as fast
+helpers= # of fuzz_mesh: not instrumented, since only the library's paths are to be found; much faster
 for helper in tests/oracle.c tests/shapes.c tests/check.c port/posix/nook_port.c; do
     object=$out/$(basename $helper .c).o
     helpers="$helpers $object"
@@ -83,8 +88,9 @@ for helper in tests/oracle.c tests/shapes.c tests/check.c port/posix/nook_port.c
     $CC $FLAGS -O2 -DNOOK_INDEX_BITS=16 -c $helper -o $object || failed=$((failed + 1))
 done
 fuzz stl 2048 32
+# Its input is no text: guided by paths, not by words.
 # shellcheck disable=SC2086
-fuzz mesh 512 16 $helpers -fno-sanitize-coverage=trace-cmp # its input is no text: guided by paths, not by words
+fuzz mesh 512 16 $helpers -fno-sanitize-coverage=trace-cmp
 fuzz file 4096 32 host_sim/import*.c host_sim/bytes.c host_sim/heap.c host_sim/failure.c host_sim/scan.c
 echo "$passed passed, $failed failed, 0 skipped"
 [ $failed -eq 0 ]

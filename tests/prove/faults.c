@@ -1,18 +1,18 @@
 /* faults.c -- a single wrong bit or index anywhere in the tables of a sphere of 320 triangles.
  *
  * Every bit of every entry of V, O and C is flipped, and eight wrong indices in range are put into every
- * entry; every bit of the marks is flipped at 24 moments of a run that is cut in two there, and every bit of
- * O at one. Then check (with link's report and without), survey (with rings and without), geometry (only V in range) and,
- * for V, link look at them.
+ * entry. Every bit of the marks is flipped at 24 moments of a run that is cut in two there, and every bit of
+ * O at one. Check looks at them (with link's report and without), survey (with rings and without), geometry
+ * (V in range) and, for V, link.
  *
- * Proven: no run exceeds the steps that its header states, nothing is written but what may be (fences;
- * nothing is read either, under AddressSanitizer), and no wrong entry of V, O or C gets past check, none of V
- * past link: the answer is the very same, or a bad entry is counted, or the mesh is called unsound.
- * How: each answer is held against that for the whole mesh:
+ * Proven: no run exceeds the steps that its header states; nothing is written but what may be (fences), and
+ * nothing read (AddressSanitizer); no wrong entry of V, O or C gets past check, none of V past link: the
+ * answer is the very same, or a bad entry is counted, or the mesh is called unsound; and check counts each
+ * wrong entry for what it is. Each answer is held against that for the whole mesh:
  *   same       every field is equal
  *   noticed    an error, a bad entry, or an unsound mesh is reported
- *   different  another answer, and neither: counts that differ. Survey or geometry alone, and any run whose
- *              marks or O change underneath, may give such; they are printed, with the defective meshes called sound */
+ *   different  neither. Survey or geometry alone, and any run under which marks or O change, may give such
+ *              answers; they are printed, and so are defective meshes that were called sound then */
 #include <stdio.h>
 #include <string.h>
 

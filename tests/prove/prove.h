@@ -10,7 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* bytes of zeros with a fence on either side; the program ends if there is no memory. At most 32 at a time. */
+/* Zeros with a fence on either side; the program ends if there is no memory. At most 32 blocks at a time. */
 void *fenced(size_t bytes);
 /* Whether nothing has been written beyond any of them. */
 bool fences_hold(void);

@@ -1,20 +1,22 @@
 /* tables.c -- every O table over the corners, the first number beyond them and all bits set, for one and two
- * triangles; every one that pairs corners in any way, for three and four; and a hundred million of the 11^9 for
- * three.
+ * triangles; every one that pairs corners in any way, for three and four; and a hundred million of the 11^9
+ * for three.
  *
- * Proven for each of them: check (without a report, with link's, with one that says of any table that it is
- * closed, and with one forged so that its edges add up for this very table), survey (with its rings and without) and geometry (as of a closed mesh and of
- * an open one) end within the steps that their headers state, write neither O nor V nor beyond any array,
- * and check calls nothing sound that is not. Check's count of bad opposites is that of plain loops,
- * and so is what survey refuses.
+ * Proven for each of them: check, survey (with its rings and without) and geometry (as of a closed mesh and
+ * of an open one) end within the steps that their headers state, and write neither O nor V nor beyond any
+ * array.
+ * Check is run without a report, with link's, with one that says of any table that it is closed, and with one
+ * forged so that its edges add up for this very table: it calls nothing sound that is not, and its count of
+ * bad opposites is that of plain loops, as is what survey refuses.
  *   one triangle   125 O on all 5 patterns of equal and different vertices, and V out of range
  *   two            262,144 O on all 34 patterns of whole triangles, and V out of range
- *   three          2,620 O that pair corners or leave them alone, where walks go far, on all 2,971 patterns of
- *                  whole triangles
+ *   three          2,620 O that pair corners or leave them alone, where walks go far, on all 2,971 patterns
+ *                  of whole triangles
  *   four           140,152 such O on a tetrahedron, the same inside out, with a triangle turned over, and on
  *                  two pillows: sound is the one O of the first, and nothing else
  *   three          10^8 of the 2,357,947,691 O on a closed fan, spread over all of them: from one to the next
- *                  every digit moves by a number of its own, and no table comes twice
+ *                  every digit moves by a number of its own, and no table comes twice. Here check with the
+ *                  forged report, and survey; nothing is sound, since nine corners cannot all be paired
  *
  * usage: tables [small | pairs | large [COUNT]]   all by default; COUNT of the last kind, at most 11^9.
  * `small` is for sanitizers: its arrays end where their heap blocks end. */
@@ -388,7 +390,7 @@ static void every_O_of_two_triangles_is_judged_within_its_bounds(void) {
     drop_fences();
 }
 
-/* ---- three and four triangles ----------------------------------------------------------------------------- */
+/* ---- three and four triangles ------------------------------------------------------------------------ */
 
 /* The ways to pair 9 or 12 corners, or to leave some alone. */
 enum { PAIRINGS_OF_9 = 2620, PAIRINGS_OF_12 = 140152 };

@@ -215,7 +215,7 @@ static void answer_parts(bool O_alone) {
     for (f = 0; f < a.fans; f++) join_ends(f);
 }
 
-/* The link of v is one simple path or cycle: no vertex of it has more than two edges, and it hangs together. */
+/* The link of v is one simple path or cycle: its vertices have at most two edges, and it hangs together. */
 static bool is_manifold_at(uint32_t v) {
     set at_v = triangles_at(v), reached, before = 0;
     uint32_t t, w;
@@ -312,7 +312,8 @@ static void compare_survey(const nook_survey *s, uint32_t nonmanifold_vertices, 
     CHECK_EQUAL(s->orientable, many ? NOOK_MAYBE : truth(is_orientable()));
 }
 
-/* Six times the volume of the tetrahedron over the triangle v w x from u; coordinates are small whole numbers. */
+/* Six times the volume of the tetrahedron over three vertices from a fourth, or from the origin; all
+ * coordinates are small whole numbers. */
 static int32_t volume_over(const uint32_t vertex[4]) {
     int32_t p[4][3], sum = 0;
     uint32_t i, j, k;

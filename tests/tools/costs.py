@@ -22,8 +22,8 @@ def run(*words):
 def measure():
     costs = {}
     for name, flags in (core.split(':', 1) for core in opts.cores):
-        objects = sorted(pathlib.Path('build', name, 'src').rglob('*.o'))
-        for line in run(opts.cross + 'size', *map(str, objects)).splitlines()[1:]:
+        objects = [f'build/{name}/{p.with_suffix(".o")}' for p in sorted(pathlib.Path('src').glob('*/*.c'))]
+        for line in run(opts.cross + 'size', *objects).splitlines()[1:]:
             words = line.split()
             costs[name, 'code', pathlib.Path(words[5]).stem] = int(words[0])
         stacks = run(sys.executable, 'tests/tools/stack.py', '--limit', '100000', '--cross', opts.cross, '--name', name,

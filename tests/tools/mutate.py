@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """mutate.py -- do the tests notice when the library is wrong?
 
-Makes small changes to src/**/*.c, one at a time: another comparison, a constant one more or less, && for ||, a
-condition turned round, a statement left out, next for previous. Each mutant is compiled (16-bit indices, -O1)
-and run against the tests of tests/*.c; it is killed if a test fails, crashes or takes too long. A mutant that
-does not compile, or that compiles to the very same code, says nothing and is not counted.
+Makes small changes to src/**/*.c, one at a time: another comparison, a constant one more or less, && for ||,
+a condition turned round, a statement left out, next for previous. Each mutant is compiled (16-bit indices,
+-O1) and run against the tests of tests/*.c; it is killed if a test fails, crashes or takes too long. A mutant
+that does not compile, or that compiles to the very same code, says nothing and is not counted.
 
 The sources are copied to build/mutants first; src/ is never touched. A sample is repeatable: --seed. The
 survivors are printed with place and change; some of them are no faults at all (a < that may as well be !=).
@@ -44,10 +44,13 @@ SWAPS = {
 }
 OPERATOR = re.compile(r"->|\+\+|--|<<=|>>=|[-+*/|&^]=|<<|>>|<=|>=|==|!=|&&|\|\||[-+<>&|^]")
 SWAPPED_CALLS = {"nook_next": "nook_prev", "nook_prev": "nook_next", "true": "false", "false": "true"}
-STATEMENT = re.compile(r"^[ \t]*(?!(?:return|break|continue|case|default|for|if|while|do|switch|else|typedef|static|const|struct)\b)"
-                       r"(?:--|\+\+|\*|\(void\))?[a-zA-Z_][^;{}\n]*(?:\([^;{}\n]*\)|[-+|&^<>]?=[^;{}\n]*|\+\+|--|[a-zA-Z_\])]);",
-                       re.M)
-DECLARATION = re.compile(r"^[ \t]*(?:const |unsigned )*[a-zA-Z_]\w*[ ]+\**[a-zA-Z_]\w*(?:\[[^\]]*\])?[ ]*(?:=|;|,|\()")
+STATEMENT = re.compile(
+    r"^[ \t]*(?!(?:return|break|continue|case|default|for|if|while|do|switch|else|typedef|static|const"
+    r"|struct)\b)"
+    r"(?:--|\+\+|\*|\(void\))?[a-zA-Z_][^;{}\n]*"
+    r"(?:\([^;{}\n]*\)|[-+|&^<>]?=[^;{}\n]*|\+\+|--|[a-zA-Z_\])]);", re.M)
+DECLARATION = re.compile(
+    r"^[ \t]*(?:const |unsigned )*[a-zA-Z_]\w*[ ]+\**[a-zA-Z_]\w*(?:\[[^\]]*\])?[ ]*(?:=|;|,|\()")
 
 
 def is_binary(code, start):
@@ -75,6 +78,9 @@ def constant_changes(code):
             yield m.start(), m.end(), f"{value - 1}{m.group(2)}"
 
 
+TURNED = "not what stood here"
+
+
 def closing(code, start):
     depth = 0
     for i in range(start, len(code)):
@@ -88,8 +94,7 @@ def condition_changes(code):
     for m in re.finditer(r"\b(?:if|while) \(", code):
         end = closing(code, m.end() - 1)
         if end is not None:
-            inside = (m.end(), end)
-            yield inside[0], inside[1], ("turn", inside)
+            yield m.end(), end, TURNED
     for m in re.finditer(r"!(?!=)", code):
         yield m.start(), m.end(), ""
     for m in re.finditer(r"\? ", code):
@@ -117,10 +122,7 @@ def mutants_of(path):
     found = []
     for make in (operator_changes, constant_changes, condition_changes, other_changes):
         for start, end, new in make(code):
-            if isinstance(new, tuple):
-                new = f"!({text[start:end]})"
-            if code[:start].count("{") > 0 or make is constant_changes:
-                found.append((path, start, end, new))
+            found.append((path, start, end, new if new != TURNED else f"!({text[start:end]})"))
     return sorted(set(found))
 
 
@@ -160,7 +162,7 @@ def compile_to(source, target):
 
 def code_of(path):
     """Code, data and relocations of an object, without its file's name."""
-    dump = subprocess.run(["objdump", "-r", "-s", path], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+    dump = subprocess.run(["objdump", "-r", "-s", path], stdout=subprocess.PIPE, check=False)
     return re.sub(rb"^.*file format.*$", b"", dump.stdout, flags=re.M)
 
 
@@ -194,7 +196,8 @@ def prepare():
     tree = os.path.join(ROOM, "tree")
     os.makedirs(os.path.join(ROOM, "objects"))
     for folder in ("src", "port", "tests"):
-        shutil.copytree(folder, os.path.join(tree, folder), ignore=shutil.ignore_patterns("prove", "fuzz", "tools", "bench"))
+        left_out = shutil.ignore_patterns("prove", "fuzz", "tools", "bench")
+        shutil.copytree(folder, os.path.join(tree, folder), ignore=left_out)
     sources = [os.path.relpath(p, tree) for pattern in ("src/**/*.c", *TESTS)
                for p in sorted(glob.glob(os.path.join(tree, pattern), recursive=True))]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:

@@ -3,7 +3,7 @@
 import pathlib, subprocess, sys
 
 cross, name, folder = sys.argv[1:]
-objects = sorted(str(p) for p in pathlib.Path(folder, 'src').rglob('*.o'))
+objects = [f'{folder}/{p.with_suffix(".o")}' for p in sorted(pathlib.Path('src').glob('*/*.c'))]
 rows = [line.split() for line in subprocess.check_output([cross + 'size', *objects], text=True).splitlines()[1:]]
 print(f'{name}: bytes of text, data, bss')
 for text, data, bss, _, _, path in rows:

@@ -22,7 +22,7 @@ def short(title):
     return title.rsplit(':', 1)[-1]
 
 
-for path in pathlib.Path(opts.objects, 'src').rglob('*.ci'):
+for path in (pathlib.Path(opts.objects, p).with_suffix('.ci') for p in sorted(pathlib.Path('src').glob('*/*.c'))):
     own = {}  # statics of the same name in two files stay apart
     text = path.read_text()
     for title, label in re.findall(r'node: \{ title: "([^"]*)" label: "([^"]*)"', text):
