@@ -448,6 +448,46 @@ static void a_report_that_does_not_fit_the_tables_is_not_believed(void) {
     }
 }
 
+/* One triangle: three corners alone are too few for a border edge and an edge of three. */
+static void a_report_with_more_edges_than_lone_corners_is_not_believed(void) {
+    begin_shape(3);
+    add(0, 1, 2);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    b.report.border_edges = b.report.nonmanifold_edges = 1;
+    b.report.edges = b.report.odd_edges = 2;
+    CHECK_EQUAL(check_as_it_is(&b.report), NOOK_OK);
+    CHECK_EQUAL(b.result.edges, NOOK_UNKNOWN);
+}
+
+/* A sphere and a torus have the Euler number of one sphere. */
+static void a_sphere_beside_a_torus_is_not_simple(void) {
+    static const uint8_t list[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+    uint32_t i, first;
+    torus(5, 6);
+    first = b.mesh.nv;
+    b.mesh.nv += 4;
+    for (i = 0; i < 12; i += 3) add(first + list[i], first + list[i + 1], first + list[i + 2]);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    CHECK_EQUAL(b.result.euler, 2);
+    CHECK_EQUAL(b.result.manifold, NOOK_YES);
+    CHECK_EQUAL(b.result.simple, NOOK_NO);
+}
+
+/* A count of shells larger than their room, as a flipped bit makes it. */
+static void shells_beyond_their_room_are_not_touched(void) {
+    begin_shape(6);
+    add(0, 1, 2);
+    add(0, 1, 2);
+    add(3, 4, 5);
+    b.shells.max_shells = 1;
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    memset(&b.shell[1], 0x77, sizeof b.shell[1]);
+    b.shells.count = 2;
+    CHECK_EQUAL(check_as_it_is(&b.report), NOOK_OK);
+    CHECK_EQUAL(b.shells.count, 1);
+    CHECK_EQUAL(b.shell[1].volume.word[0], 0x77777777u);
+}
+
 static void shells_one_by_one_must_not_be_inside_out(void) {
     uint32_t t;
     shapes[14].build();
@@ -735,6 +775,9 @@ static const test tests[] = {
     TEST(without_a_report_what_O_cannot_tell_is_unknown),
     TEST(a_defective_mesh_linked_without_marks_stays_unknown),
     TEST(a_report_that_does_not_fit_the_tables_is_not_believed),
+    TEST(a_report_with_more_edges_than_lone_corners_is_not_believed),
+    TEST(a_sphere_beside_a_torus_is_not_simple),
+    TEST(shells_beyond_their_room_are_not_touched),
     TEST(shells_one_by_one_must_not_be_inside_out),
     TEST(without_a_report_a_whole_O_has_a_volume_and_no_more),
     TEST(a_volume_of_nothing_is_flat_and_not_inside_out),

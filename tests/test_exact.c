@@ -118,6 +118,24 @@ static void tiny_coordinates_beside_large_ones_count(void) {
     CHECK(orient3d(points) != 0);
 }
 
+/* Rounding of more than two eps: floats alone have the other sign, so the filter must not trust itself there. */
+static void rounding_of_more_than_two_eps_turns_no_sign(void) {
+    set(0, 0x1.146888p+0f, 0x1.82c414p-4f, -0x1.b4a6fp-3f);
+    set(1, -0x1.386c1p-4f, 0x1.3c9eacp-2f, 0x1.d4f36p+0f);
+    set(2, -0x1.0aa5f6p-2f, -0x1.36c26ap-3f, -0x1.74a6dep-2f);
+    set(3, -0x1.f428d2p-4f, 0x1.6b63ecp-2f, 0x1.0d1346p+1f);
+    CHECK_EQUAL(orient3d(points), 1);
+    set(0, -0x1.9d4022p-2f, 0x1.234f6p-4f, 0);
+    set(1, 0x1.6576ep-3f, -0x1.3b46a8p+1f, 0);
+    set(2, -0x1.d01988p-1f, 0x1.23459cp+1f, 0);
+    CHECK_EQUAL(orient2d(points, 2), 1);
+    set(0, -0x1.1c14p-1f, -0x1.2aa0aap-1f, 0x1.09cac4p-2f);
+    set(1, 0x1.bf54b6p+1f, -0x1.f7e674p-2f, -0x1.b4e97ap-2f);
+    set(2, -0x1.614f86p-3f, -0x1.e4b7c8p+1f, 0x1.56cc9p+0f);
+    set(3, -0x1.b298p-1f, 0x1.f2a8dep-3f, 0x1.c2a9ccp+0f);
+    CHECK_EQUAL(distances(points), -1);
+}
+
 static void points_that_fall_together_or_on_a_line_are_coplanar(void) {
     uint32_t i, j;
     dice d = {4321u};
@@ -344,6 +362,30 @@ static void a_volume_and_its_mirror_cancel_exactly(void) {
     CHECK_EQUAL(nook_volume_sign(&sum), 0);
 }
 
+/* 2^24 + 1 lies half way between two floats: what stands 100 bits below decides. */
+static void what_lies_far_below_decides_how_a_volume_rounds(void) {
+    uint32_t over, side;
+    for (over = 0; over < 2; over++) {
+        for (side = 0; side < 3; side++) {
+            nook_volume volume, tiny;
+            float value, expected = side == 2 ? 16777218.0f : 16777216.0f;
+            set(0, 6 * 97, 0, 0);
+            set(1, 0, 257, 0);
+            set(2, 0, 0, 673);
+            if (over) swap(&points[0], &points[1]);
+            volume = volume_of(points, 1);
+            set(0, 0x1p-40f, 0, 0);
+            set(1, 0, 0x1p-40f, 0);
+            set(2, 0, 0, side == 1 ? -1.0f : 1.0f);
+            if (over) swap(&points[0], &points[1]);
+            tiny = volume_of(points, 1);
+            if (side != 0) nook_volume_merge(&volume, &tiny);
+            value = nook_volume_value(&volume);
+            CHECK(value == (over ? -expected : expected));
+        }
+    }
+}
+
 /* The largest coordinates, and the smallest: 6 * 2^90 / 6, and a sixth of 2^-447, which is no float. */
 static void volumes_reach_from_end_to_end(void) {
     nook_volume volume;
@@ -366,6 +408,9 @@ static void volumes_reach_from_end_to_end(void) {
     set(2, 0, 0, 6 * 3);
     volume = volume_of(points, 1);
     CHECK(nook_volume_value(&volume) == 4.2e-45f);
+    set(2, 0, 0, 8);
+    volume = volume_of(points, 1);
+    CHECK(nook_volume_value(&volume) == 1.4e-45f);
 }
 
 /* All ones in a number that was flipped in memory: the carry ends where the words end. */
@@ -392,6 +437,7 @@ static const test tests[] = {
     TEST(every_choice_of_cube_corners),
     TEST(the_side_of_a_plane_is_told_to_the_last_place),
     TEST(tiny_coordinates_beside_large_ones_count),
+    TEST(rounding_of_more_than_two_eps_turns_no_sign),
     TEST(points_that_fall_together_or_on_a_line_are_coplanar),
     TEST(swapping_two_points_turns_every_sign),
     TEST(a_shift_by_a_power_of_two_changes_no_sign),
@@ -401,6 +447,7 @@ static const test tests[] = {
     TEST(a_volume_is_rounded_to_the_nearest_float),
     TEST(the_order_of_triangles_does_not_matter_to_a_volume),
     TEST(a_volume_and_its_mirror_cancel_exactly),
+    TEST(what_lies_far_below_decides_how_a_volume_rounds),
     TEST(volumes_reach_from_end_to_end),
     TEST(a_spoiled_volume_carries_no_further_than_its_end),
 };

@@ -543,6 +543,127 @@ static void mass_scales_with_the_mesh(void) {
     }
 }
 
+/* 2^130 times as long as wide: the size is that of the longest axis, whichever that is. */
+static void a_needle_along_any_axis_keeps_its_area(void) {
+    uint32_t axis, v;
+    for (axis = 0; axis < 3; axis++) {
+        cube();
+        for (v = 0; v < 8; v++) {
+            nook_point p = nook_scaled(b.mesh.G[v], 0x1p-100f);
+            if ((&p.x)[axis] != 0) (&p.x)[axis] = 0x1p+30f;
+            b.mesh.G[v] = p;
+        }
+        examine();
+        CHECK(g->area == 0x1p-68f);
+        CHECK((&g->box_max.x)[axis] == 0x1p+30f);
+    }
+}
+
+/* Here float sums give a volume that is one part in a hundred off: too far to say anything of the mass. */
+static void a_mass_one_hundredth_off_is_unknown(void) {
+    tetrahedron();
+    place(0, 56, 21, 0x1.3403cp+5f);
+    place(1, 35, 24, 0x1.d801ap+4f);
+    place(2, 61, 52, 0x1.c4029p+5f);
+    place(3, 33, 26, 0x1.d8016p+4f);
+    examine();
+    CHECK(g->volume_sign != 0);
+    CHECK(!g->mass_known);
+}
+
+/* Without shells to look at, the survey still counts them. */
+static void two_shells_are_never_convex_for_a_check_without_shells(void) {
+    uint32_t v;
+    nook_view view;
+    shapes[14].build();
+    for (v = 0; v < 4; v++) b.mesh.G[v] = b.mesh.G[v + 4];
+    CHECK_EQUAL(nook_link(&b.mesh, &b.marks, NULL, NULL, &b.report, NULL), NOOK_OK);
+    view = nook_view_of(&b.mesh);
+    CHECK_EQUAL(nook_check(&view, &b.marks, &b.report, NULL, NULL, &b.result), NOOK_OK);
+    CHECK_EQUAL(b.result.survey.components, 2);
+    CHECK_EQUAL(g->convex, NOOK_NO);
+}
+
+static void a_folded_edge_is_named_by_a_corner_that_faces_it(void) {
+    uint32_t turn;
+    static const uint8_t list[3][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
+    for (turn = 0; turn < 3; turn++) {
+        begin_shape(4);
+        place(0, 0, 0, 0);
+        place(1, 4, 0, 0);
+        place(2, 0, 4, 0);
+        place(3, 1, 1, 0);
+        add_list(list[turn], 1);
+        add(2, 1, 3);
+        examine();
+        CHECK_EQUAL(g->folded_edges, 1);
+        CHECK_EQUAL(last[NOOK_FOLDED_EDGE].kind, NOOK_AT_CORNER);
+        CHECK(last[NOOK_FOLDED_EDGE].index == (3 - turn) % 3 || last[NOOK_FOLDED_EDGE].index == 5);
+    }
+}
+
+/* All four edges of a dent hidden by slivers, which lie across the first, second, third corner. */
+static void a_dent_is_found_behind_slivers_whatever_corner_faces_them(void) {
+    uint32_t turn, i, c;
+    for (turn = 0; turn < 3; turn++) {
+        cut_cube();
+        place(13, 7, 4, 4);
+        for (i = 0; i < 4; i++) add_sliver(3 * (20 + i) + 2);
+        for (c = 0; c < 3 * b.mesh.nt; c += 3) {
+            nook_index keep[3];
+            for (i = 0; i < 3; i++) keep[i] = b.mesh.V[c + i];
+            for (i = 0; i < 3; i++) b.mesh.V[c + i] = keep[(i + turn) % 3];
+        }
+        for (i = 0; i < b.mesh.nv; i++) b.mesh.G[i] = nook_scaled(b.mesh.G[i], 64);
+        examine();
+        CHECK_EQUAL(g->concave_edges, 0);
+        CHECK_EQUAL(g->convex, NOOK_NO);
+        compare();
+    }
+}
+
+static void shuffled_slivers_do_not_hide_what_is_not_convex(void) {
+    dice d = {4242u};
+    uint32_t round, i, rounds = NOOK_TEST_RAM < 2000000 ? 200 : 6000;
+    for (round = 0; round < rounds && !test_has_failed(); round++) {
+        cut_cube();
+        for (i = 0; i < 2; i++)
+            place(throw_dice(&d, 14), (float)throw_dice(&d, 9), (float)throw_dice(&d, 9),
+                  (float)throw_dice(&d, 9));
+        for (i = 0; i < b.mesh.nv; i++) b.mesh.G[i] = nook_scaled(b.mesh.G[i], 4096);
+        for (i = 0; i < 12; i++) add_sliver(throw_dice(&d, 72));
+        shuffle(&d);
+        examine();
+        compare();
+    }
+}
+
+/* One vertex of the first shell stands out of the second: whichever it is, it is the witness or another one is. */
+static void one_vertex_outside_another_shell_is_a_witness(void) {
+    static const uint8_t list[] = {4, 6, 5, 4, 5, 7, 5, 6, 7, 6, 4, 7};
+    uint32_t out;
+    for (out = 0; out < 4; out++) {
+        uint32_t v;
+        tetrahedron();
+        b.mesh.nv = 8;
+        for (v = 0; v < 4; v++)
+            b.mesh.G[v] = nook_make(10 + 4 * b.mesh.G[v].x, 10 + 4 * b.mesh.G[v].y, 10 + 4 * b.mesh.G[v].z);
+        if (out == 0) place(0, 8, 8, -5);
+        if (out == 1) place(1, 90, 10, 10);
+        if (out == 2) place(2, 10, 90, 10);
+        if (out == 3) place(3, 10, 10, 90);
+        place(4, 0, 0, 0);
+        place(5, 60, 0, 0);
+        place(6, 0, 60, 0);
+        place(7, 0, 0, 60);
+        add_list(list, 4);
+        examine();
+        CHECK_EQUAL(g->convex, NOOK_NO);
+        CHECK(g->witness_vertex != NOOK_NONE);
+        compare();
+    }
+}
+
 /* ---- the call ---------------------------------------------------------------------------------------------- */
 
 static void what_it_cannot_do_without_is_asked_for(void) {
@@ -595,6 +716,38 @@ static void the_units_of_a_cube_are_those_of_its_passes(void) {
     CHECK_EQUAL(spent, 1099);
     CHECK_EQUAL(run(false, NULL, 5, &spent, &result), NOOK_OK);
     CHECK_EQUAL(spent, 478);
+}
+
+/* A convex mesh is known in one pass, be it right or inside out. */
+static void a_mesh_inside_out_takes_as_many_units(void) {
+    uint32_t over, spent[2];
+    nook_geometry result;
+    for (over = 0; over < 2; over++) {
+        icosphere(2);
+        if (over) turn_all_over();
+        examine();
+        CHECK_EQUAL(run(true, NULL, 1000, &spent[over], &result), NOOK_OK);
+        CHECK_EQUAL(result.convex, NOOK_YES);
+        CHECK(spent[over] < 140 * b.mesh.nt + 13 * b.mesh.nv + 30);
+    }
+}
+
+/* A pyramid on a polygon whose flat ground is cut by slivers: one triangle stands for all of that plane. */
+static void slivers_in_one_plane_are_held_once(void) {
+    enum { N = 30 };
+    uint32_t i, spent;
+    nook_geometry result;
+    begin_shape(N + 2);
+    for (i = 0; i < N; i++) place(i, (float)i, (float)(i * i), 0);
+    place(N, N / 2, 10 * N, 0);
+    place(N + 1, N / 2, 10 * N, 50);
+    for (i = 0; i < N; i++) add(N, (i + 1) % N, i);
+    for (i = 0; i < N; i++) add(N + 1, i, (i + 1) % N);
+    for (i = 0; i < N; i++) add_sliver(3 * i + 1);
+    examine();
+    CHECK_EQUAL(g->convex, NOOK_YES);
+    CHECK_EQUAL(run(true, NULL, 1000, &spent, &result), NOOK_OK);
+    CHECK(spent < 230 * b.mesh.nt + 103 * b.mesh.nv + 30 + 10 * (b.mesh.nt + b.mesh.nv));
 }
 
 /* Any bits in O: other answers, but within the bound and inside the arrays. */
@@ -656,6 +809,15 @@ static const test tests[] = {
     TEST(what_it_cannot_do_without_is_asked_for),
     TEST(units_are_the_same_however_they_are_cut_and_within_the_bound),
     TEST(the_units_of_a_cube_are_those_of_its_passes),
+    TEST(a_needle_along_any_axis_keeps_its_area),
+    TEST(a_folded_edge_is_named_by_a_corner_that_faces_it),
+    TEST(a_dent_is_found_behind_slivers_whatever_corner_faces_them),
+    TEST(shuffled_slivers_do_not_hide_what_is_not_convex),
+    TEST(one_vertex_outside_another_shell_is_a_witness),
+    TEST(a_mesh_inside_out_takes_as_many_units),
+    TEST(slivers_in_one_plane_are_held_once),
+    TEST(a_mass_one_hundredth_off_is_unknown),
+    TEST(two_shells_are_never_convex_for_a_check_without_shells),
     TEST(any_opposites_end_in_time),
     TEST(a_single_opposite_out_of_range_takes_one_edge_away),
 };

@@ -222,6 +222,22 @@ static void third_triangle_on_an_edge_is_reported_with_its_smallest_corner(void)
     CHECK_EQUAL(all_told(NOOK_NONMANIFOLD_VERTEX), 2);
 }
 
+static void an_edge_of_three_triangles_is_one_odd_edge(void) {
+    book(3, 0);
+    CHECK_EQUAL(nook_link(&b.mesh, &b.marks, NULL, NULL, &b.report, NULL), NOOK_OK);
+    CHECK_EQUAL(b.report.odd_edges, 1 + 6);
+    book(4, 5);
+    CHECK_EQUAL(nook_link(&b.mesh, &b.marks, NULL, NULL, &b.report, NULL), NOOK_OK);
+    CHECK_EQUAL(b.report.odd_edges, 8);
+}
+
+static void link_describes_no_shells_of_an_earlier_mesh(void) {
+    tetrahedron();
+    b.shells.count = 5;
+    CHECK_EQUAL(nook_link(&b.mesh, &b.marks, &b.shells, NULL, &b.report, NULL), NOOK_OK);
+    CHECK_EQUAL(b.shells.count, 0);
+}
+
 static void two_coherent_pairs_on_one_edge_are_a_nonmanifold_edge(void) {
     static const uint8_t list[] = {0, 1, 2, 1, 0, 3, 0, 1, 4, 1, 0, 5};
     begin_shape(6);
@@ -557,6 +573,8 @@ static const test tests[] = {
     TEST(named_surfaces_and_their_shuffles_agree_with_the_oracle),
     TEST(edges_of_three_to_six_triangles_in_every_mix_of_directions),
     TEST(third_triangle_on_an_edge_is_reported_with_its_smallest_corner),
+    TEST(an_edge_of_three_triangles_is_one_odd_edge),
+    TEST(link_describes_no_shells_of_an_earlier_mesh),
     TEST(two_coherent_pairs_on_one_edge_are_a_nonmanifold_edge),
     TEST(repeated_triangles_are_counted_whatever_their_direction),
     TEST(thousands_of_random_soups_agree_with_the_oracle),

@@ -446,7 +446,8 @@ static void a_bad_coordinate_in_a_binary_file_is_named_by_its_byte(void) {
                 CHECK_EQUAL(read_file(size, 1u + 17u * k, NOOK_UNKNOWN), bad[i].status);
                 expect_facets(f);
                 CHECK_EQUAL(stl.where.kind, NOOK_AT_BYTE);
-                CHECK(stl.where.index >= facet && stl.where.index < facet + 50u);
+                CHECK_EQUAL(stl.where.index,
+                            facet + 12u + 12u * (k / 3u)); /* the first byte of that vertex */
             }
         }
     }
@@ -710,6 +711,16 @@ static void only_a_word_that_begins_like_nan_or_inf_is_called_not_finite(void) {
                 NOOK_NOT_FINITE);
 }
 
+static void an_empty_chunk_forgets_no_trailing_bytes(void) {
+    const uint8_t *at = NULL;
+    size_t left = 0;
+    nook_point corners[3];
+    make_binary("made by hand", '\0', 2);
+    CHECK_EQUAL(read_file(size, 33, NOOK_UNKNOWN), NOOK_OK);
+    CHECK_EQUAL(nook_stl_push(&stl, &at, &left, corners), NOOK_MORE);
+    CHECK(stl.trailing);
+}
+
 static void an_empty_chunk_without_an_address_is_harmless(void) {
     nook_point corners[3];
     const uint8_t *at = NULL;
@@ -752,6 +763,7 @@ static const test tests[] = {
     TEST(lines_are_counted_whatever_ends_them),
     TEST(a_text_that_stops_in_a_facet_names_its_last_line),
     TEST(only_a_word_that_begins_like_nan_or_inf_is_called_not_finite),
+    TEST(an_empty_chunk_forgets_no_trailing_bytes),
     TEST(an_empty_chunk_without_an_address_is_harmless),
 };
 

@@ -208,6 +208,18 @@ static void add_moebius_strip(void) {
     }
 }
 
+/* The finder hears of every one-sided component. */
+static void each_one_sided_component_is_told(void) {
+    uint32_t n;
+    for (n = 1; n <= 3; n++) {
+        uint32_t i;
+        begin_shape(0);
+        for (i = 0; i < n; i++) add_moebius_strip();
+        examine();
+        CHECK_EQUAL(told[NOOK_NOT_ORIENTABLE], n);
+    }
+}
+
 static void a_strip_beside_a_nonmanifold_shell_is_still_not_orientable(void) {
     uint32_t beside;
     for (beside = 0; beside < 2; beside++) {
@@ -281,6 +293,7 @@ static const test tests[] = {
     TEST(a_small_shell_far_from_a_large_one_keeps_its_sign),
     TEST(a_shell_beside_a_nonmanifold_one_keeps_its_own_loops_and_genus),
     TEST(a_strip_beside_a_nonmanifold_shell_is_still_not_orientable),
+    TEST(each_one_sided_component_is_told),
     TEST(no_room_for_shells_is_room_for_none),
     TEST(the_box_holds_what_triangles_use_and_nothing_else),
     TEST(a_shuffled_surface_keeps_its_verdict_area_and_volume),

@@ -52,7 +52,7 @@ mesh bow_tie '\006\010' '\0\2\1\0\1\3\1\2\3\2\0\3\3\5\4\3\4\6\4\5\6\5\3\6\0\1\4\
 mesh book '\005\004' '\0\1\2\0\1\3\1\0\4\0\1\5\0\1\2\3\4\5'
 mesh twins '\002\003' '\0\1\2\0\1\2\0\2\1\0\1\4'
 mesh isolated '\007\002' '\0\1\2\2\1\3\0\1\4\20\2\2\2\2'
-hub= i=1
+hub='' i=1
 while [ $i -lt 39 ]; do hub="$hub\\0\\$(printf %o $i)\\$(printf %o $((i + 1)))" i=$((i + 1)); done
 mesh hub '\047\046' "$hub"
 
@@ -80,7 +80,7 @@ fuzz() { # name, longest input, index bits, sources and flags
         say_failed "fuzz_$name; try: $out/fuzz_$name $out/${name}_..."
     fi
 }
-helpers= # of fuzz_mesh: not instrumented, since only the library's paths are to be found; much faster
+helpers='' # of fuzz_mesh: not instrumented, since only the library's paths are to be found; much faster
 for helper in tests/oracle.c tests/shapes.c tests/check.c port/posix/nook_port.c; do
     object=$out/$(basename $helper .c).o
     helpers="$helpers $object"

@@ -106,5 +106,65 @@ expect 'help' 0 'check' "$nook" --help
 expect 'help of a command' 0 'weld' "$nook" check --help
 expect 'version' 0 '0\.1\.0' "$nook" --version
 
+# ---- for tests/host/check.sh, before the last two lines
+tetra='v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n'
+faces='f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n'
+tab=$(printf '\t') bad=$(printf 'x\377\303(')
+for name in 'a\b"c' "t${tab}t" "$bad"; do printf "$tetra$faces" >"$dir/$name.obj"; done
+expect 'JSON: quotes and backslashes of a name' 0 'a\\\\b\\"c\.obj"' "$nook" check --json "$dir/a\\b\"c.obj"
+expect 'JSON: control characters of a name' 0 't\\u0009t\.obj"' "$nook" check --json "$dir/t${tab}t.obj"
+expect 'JSON: bytes that are no UTF-8' 0 'x\\ufffd\\ufffd(\.obj"' "$nook" check --json "$dir/$bad.obj"
+expect 'several files: the highest status, whichever comes last' 1 'tetra.obj' "$nook" check --json "$dir/bad.off" "$dir/tetra.obj"
+"$nook" make icosphere --defect hole -o "$dir/hole.off" 2>/dev/null
+expect 'a total counts what is not listed' 1 '"border_edge","severity":"error","count":3,"elements":\[{[^{]*}\]}' "$nook" check --json --max-list 1 "$dir/hole.off"
+"$nook" make icosphere --defect degenerate -o "$dir/deg.off" 2>/dev/null
+expect 'and a total of dropped triangles too' 1 '"code":"repeated_vertex","severity":"error","count":1,"elements":\[\]' "$nook" check --json --max-list 0 "$dir/deg.off"
+printf "${tetra}f -4 -2 -3\nf -4 -3 -1\nv 5 5 5\nf 2 3 4\nf 3 1 4\n" >"$dir/back.obj"
+expect 'negative indices count from where they stand' 0 '"verdict":"sound"' "$nook" check --json "$dir/back.obj"
+printf 'v 0 0 0\r\nv 1 0 0\r\nv 0 1 0 \r\nf 1 2 9\r\n' >"$dir/crlf.obj"
+expect 'CR LF ends one line' 2 '"line":4,' "$nook" check --json "$dir/crlf.obj"
+"$nook" check "$dir/crlf.obj" 2>&1 | grep -q ', line 4, triangle 0$' && ok || no 'the line is named on stderr'
+points='\377\0\0\001\0\0\0\001\0\0\0\001' # four vertices of three chars: (-1 0 0) (1 0 0) (0 1 0) (0 0 1)
+head='element vertex 4\nproperty char x\nproperty char y\nproperty char z\nelement face 4\nproperty list uchar ushort vertex_indices\nend_header\n'
+little='\3\0\0\2\0\1\0\3\0\0\1\0\3\0\3\1\0\2\0\3\0\3\2\0\0\0\3\0' big='\3\0\0\0\2\0\1\3\0\0\0\1\0\3\3\0\1\0\2\0\3\3\0\2\0\0\0\3'
+printf "ply\nformat binary_little_endian 1.0\n$head$points$little" >"$dir/little.ply"
+printf "ply\nformat binary_big_endian 1.0\n$head$points$big" >"$dir/big.ply"
+printf "ply\r\nformat binary_little_endian 1.0\r\n$(printf '%s' "$head" | sed 's/\\n/\\r\\n/g')$points$little" >"$dir/crlf.ply"
+for ply in little big crlf; do
+    expect "a $ply ply of chars and shorts" 0 '"verdict":"sound".*"bbox_min":\[-1,0,0\],"bbox_max":\[1,1,1\]' "$nook" check --json "$dir/$ply.ply"
+done
+printf 'OFF # c\n4 4 6 # c\n# c\n0 0 0 # c\n1 0 0 9 9\n0 1 0\n0 0 1\n3 0 2 1 255 0 0\n3 0 1 3\n3 1 2 3\n3 2 0 3 # c\n' >"$dir/comments.off"
+expect 'comments and colours of an OFF' 0 '"verdict":"sound"' "$nook" check --json "$dir/comments.off"
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n' >"$dir/quads.obj"
+expect 'a cube of quads' 0 '"triangles":12,.*"signed_volume":1,' "$nook" check --json "$dir/quads.obj"
+expect '--scale scales' 0 '"signed_volume":1e+03,.*"bbox_max":\[1e+01,1e+01,1e+01\]' "$nook" check --json --scale 10 "$dir/quads.obj"
+expect '--scale 0 is none' 2 '' "$nook" check --scale 0 "$dir/quads.obj"
+expect 'a flat shell is not outward' 1 '"outward":false' "$nook" check --json "$dir/flat.obj"
+"$nook" make icosphere --defect zero-area -o "$dir/zero-area.off" 2>/dev/null
+expect 'a triangle without area is degenerate' 1 '"verdict":"defective"' "$nook" check --json --require no-degenerate "$dir/zero-area.off"
+"$nook" make sheet -o "$dir/sheet.off" 2>/dev/null
+expect 'what is undefined is not met' 1 '"verdict":"defective"' "$nook" check --json --require convex "$dir/sheet.off"
+mkdir "$dir/folder" && for name in c a b .h; do cp "$dir/quads.obj" "$dir/folder/$name.obj"; done
+expect 'a folder: its meshes in the order of their names' 0 '^a\.obj b\.obj c\.obj $' sh -c "'$nook' check --json '$dir/folder' 2>/dev/null | sed 's/.*folder.\([^\"]*\)\".*/\1/' | tr '\n' ' '"
+if [ -w /dev/full ]; then expect 'output that cannot be written' 2 '' sh -c "'$nook' check '$dir/quads.obj' >/dev/full"; fi
+printf 'v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n' >"$dir/one.obj"
+expect 'an edge is named by its ends and its middle' 1 '{"corner":0,"edge":\[1,2\],"position":\[2,2,0\]},{"corner":1,"edge":\[2,0\],"position":\[0,2,0\]}' "$nook" check --json "$dir/one.obj"
+printf 'v 1e3 -inf 0\nf 1 1 1\n' >"$dir/inf.obj"
+expect '-inf is not finite' 2 '"code":"not_finite"' "$nook" check --json "$dir/inf.obj"
+printf "${tetra}f 1 1 2\nf 1 3 2\nf 1 2 4\nf 2 2 1\nf 2 3 4\nf 3 1 4\nf 1 2\n" >"$dir/dropped.obj"
+expect 'dropped triangles are named as in the file' 1 '"count":2,"elements":\[{"triangle":0,[^}]*},{"triangle":3,' "$nook" check --json "$dir/dropped.obj"
+"$nook" check "$dir/dropped.obj" 2>&1 | grep -q 'note: 1 face of fewer than 3 corners skipped' && ok || no 'a face of two corners is noted'
+expect 'a truncated STL names the first facet missing' 2 '"byte":1000,"line":null,"element":"triangle 18"' "$nook" check --json "$dir/cut.stl"
+printf "\357\273\277$tetra$faces" >"$dir/bom.obj"
+expect 'a mark of UTF-8 is skipped' 0 '"verdict":"sound"' "$nook" check --json "$dir/bom.obj"
+printf 'ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty double x\nproperty float y\nproperty float z\nend_header\n\0\0\0\0\0\0\360\177\0\0\0\0\0\0\0\0' >"$dir/inf.ply"
+expect 'an infinite double is not finite' 2 '"code":"not_finite"' "$nook" check --json "$dir/inf.ply"
+printf 'ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nelement face 3\nproperty list uchar uint vertex_indices\nend_header\n\0\0\0' >"$dir/empty.ply"
+expect 'lists may be empty' 1 '"triangles":0,' "$nook" check --json "$dir/empty.ply"
+printf 'v 1000.00006 8.388609 1.00000012\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$dir/digits.obj"
+expect 'nine digits where nine are needed' 1 '"bbox_max":\[1000.00006,8.388609,1.0000001\]' "$nook" check --json "$dir/digits.obj"
+"$nook" make icosphere --defect unwelded -o "$dir/loose.off" 2>/dev/null
+"$nook" check "$dir/loose.off" 2>/dev/null | grep -q 'hint: 798 vertices repeat' && ok || no 'the hint counts vertices to join'
+"$nook" check --weld exact "$dir/hole.off" 2>/dev/null | grep -q 'hint' && no 'a hint though welded' || ok
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ]
