@@ -1,34 +1,53 @@
 #!/bin/sh
-# sum.sh -- run commands that end with "N passed, N failed, N skipped", and add up those lines.
+# sum.sh -- run commands that end with "N passed, N failed, N skipped", two at a time, and add up those lines.
 # usage: sum.sh REQUIRE COMMAND...   "skip: why" counts as skipped, or as failed where REQUIRE is 1.
 # A command that ends with no such line, or with a status its line does not explain, counts as failed;
 # so does a run of nothing at all.
 require=$1
 shift
 passed=0 failed=0 skipped=0
-for command in "$@"; do
-    case $command in
-    skip:*)
-        echo "SKIPPED:${command#skip:}"
-        if [ "$require" = 1 ]; then failed=$((failed + 1)); else skipped=$((skipped + 1)); fi
-        continue ;;
+folder=$(mktemp -d) || exit 1
+trap 'rm -rf "$folder"' EXIT
+
+start() { # number, command
+    case $2 in
+    skip:*) return ;;
     esac
-    echo "== $command"
-    output=$(sh -c "$command" 2>&1 </dev/null)
-    status=$?
-    [ -z "$output" ] || printf '%s\n' "$output"
-    line=$(printf '%s\n' "$output" | sed -n 's/^\([0-9]*\) passed, \([0-9]*\) failed, \([0-9]*\) skipped$/\1 \2 \3/p' | tail -n 1)
+    (sh -c "$2" >"$folder/$1" 2>&1 </dev/null; echo $? >"$folder/$1.status") &
+}
+
+tell() { # number, command
+    case $2 in
+    skip:*)
+        echo "SKIPPED:${2#skip:}"
+        if [ "$require" = 1 ]; then failed=$((failed + 1)); else skipped=$((skipped + 1)); fi
+        return ;;
+    esac
+    echo "== $2"
+    cat "$folder/$1"
+    status=$(cat "$folder/$1.status")
+    line=$(sed -n 's/^\([0-9]*\) passed, \([0-9]*\) failed, \([0-9]*\) skipped$/\1 \2 \3/p' "$folder/$1" | tail -n 1)
     if [ -z "$line" ]; then
         echo "FAILED: no closing line, status $status"
         failed=$((failed + 1))
-        continue
+        return
     fi
+    # shellcheck disable=SC2086 # three numbers
     set -- $line
     passed=$((passed + $1)) failed=$((failed + $2)) skipped=$((skipped + $3))
-    if [ $status -ne 0 ] && [ "$2" = 0 ]; then
+    if [ "$status" -ne 0 ] && [ "$2" = 0 ]; then
         echo "FAILED: status $status"
         failed=$((failed + 1))
     fi
+}
+
+while [ $# -gt 0 ]; do
+    start 1 "$1"
+    [ $# -eq 1 ] || start 2 "$2"
+    wait
+    tell 1 "$1"
+    shift
+    [ $# -eq 0 ] || { tell 2 "$1"; shift; }
 done
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ] && [ $((passed + skipped)) -gt 0 ]
