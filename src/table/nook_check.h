@@ -66,8 +66,9 @@ typedef struct nook_check_state {
  * taken for no report: edges is then NOOK_UNKNOWN. view and marks are copied; report, shells, finder, result and
  * the tables must stay until the end, and nobody else may touch the marks; result says nothing before that.
  * A defect is not an error of the call: step returns NOOK_OK when the check is finished, and
- * nook_is_sound() gives the verdict. Every table may hold any bits: no access leaves the arrays and
- * the bound on steps holds.
+ * nook_is_sound() gives the verdict. Every table may hold any bits, as long as they hold still: no access leaves
+ * the arrays and the bound on steps holds. If O or marks change on the way the same is true of those, and step may
+ * return NOOK_BAD_OPPOSITE; V that changes on the way is not looked at again.
  * Steps: at most NOOK_CHECK_UNITS(nt, nv, 0), about 60 nt + 5 nv on a sound mesh; the third number counts
  * elements that must be held against all others (nook_geometry.h: only in closed meshes without a concave
  * edge but with triangles without area, or wound twice). One unit is at most 450 instructions on M4F. */

@@ -133,14 +133,16 @@ NOOK_APART static void add_mass(nook_geometry_state *s, uint32_t t) {
     nook_add(&s->in.mass.sum[3], quarter * (p[0].z + p[1].z + p[2].z));
 }
 
-/* Only if the sum of floats is near the exact volume: on thinner bodies it is noise, and so would the mass be. */
+/* Only if the sum of floats is near the exact volume, and the body on the whole not thinner than a 4096th of its
+ * size: of thinner ones rounding makes noise, and so would the mass be. */
 NOOK_APART static void finish_mass(nook_geometry_state *s) {
     nook_geometry *r = s->result;
     float scale = s->in.mass.scale, volume = nook_sum_value(&s->in.mass.sum[0]), exact, error;
     nook_point centre;
     exact = r->signed_volume * scale * scale * scale;
     error = volume - exact;
-    r->mass_known = error * error < exact * exact * 1e-6f;
+    r->mass_known = error * error < exact * exact * 1e-6f &&
+                    exact * exact > 0x1p-24f * (r->area * scale * scale) * (r->area * scale * scale);
     if (!r->mass_known) return;
     s->in.mass.offset =
         nook_make(nook_sum_value(&s->in.mass.sum[1]) / volume, nook_sum_value(&s->in.mass.sum[2]) / volume,

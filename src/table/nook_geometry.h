@@ -39,7 +39,8 @@ typedef struct nook_geometry {
     float signed_volume; /* rounded once */
     /* Of the solid of density 1, whichever way its triangles face: the centroid, and the inertia about it in
      * the order of URDF, xx, xy, xz, yy, yz, zz, where xy is minus the integral of x y; times m / |volume| for
-     * a mass m. Only with mass_known: where there is a volume, and float32 sums come within a thousandth of it. */
+     * a mass m. Only with mass_known: where the volume is more than a 4096th of the area times the size, and
+     * float32 sums come within a thousandth of it; thinner bodies need more digits. */
     bool mass_known;
     nook_point centroid;
     float inertia[6];
@@ -75,8 +76,8 @@ typedef struct nook_geometry_state {
 } nook_geometry_state;
 
 /* Measure a view with good tables: V in range, O of pairs that face one edge in opposite directions, C naming
- * corners, coordinates finite and at most 2^30. On other tables the answers are wrong, but no access
- * leaves the arrays and the bound on steps holds.
+ * corners, coordinates finite and at most 2^30. With any bits in O, C and G the answers are wrong, but no
+ * access leaves the arrays and the bound on steps holds; V is trusted.
  *   closed  every corner's edge has two triangles, in O: then there is a volume
  *   shells  as nook_survey() filled them: each gets its own signed volume; or null
  *   finder  hears of NOOK_ZERO_AREA_TRIANGLE, NOOK_FOLDED_EDGE, NOOK_INSIDE_OUT, NOOK_FLAT_SHELL; or null

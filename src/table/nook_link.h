@@ -53,7 +53,7 @@ typedef struct nook_link_state {
  *   NOOK_NO_CAPACITY         marks too small
  *   NOOK_INDEX_OUT_OF_RANGE  V names no vertex. state->where: the corner
  *   NOOK_REPEATED_VERTEX     state->where: the triangle; nook_drop_degenerate() removes such
- * After an error O and C hold nothing of use; V and G are never written.
+ * After an error O, C and the report hold nothing of use; V and G are never written.
  * Steps: nv + 4 nt units for a sound mesh: 3 nt insertions of at most 16 looks, three to a unit, and 3 nt to
  * pair. Edges beyond the 16th of one vertex are sorted: 2 n (log2 n + 3) units for n of them. A mesh
  * with defects: at most 15 nt + nv more, and the survey. One unit is at most 1,200 instructions on M4F. */

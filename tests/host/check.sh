@@ -166,5 +166,7 @@ expect 'nine digits where nine are needed' 1 '"bbox_max":\[1000.00006,8.388609,1
 "$nook" make icosphere --defect unwelded -o "$dir/loose.off" 2>/dev/null
 "$nook" check "$dir/loose.off" 2>/dev/null | grep -q 'hint: 798 vertices repeat' && ok || no 'the hint counts vertices to join'
 "$nook" check --weld exact "$dir/hole.off" 2>/dev/null | grep -q 'hint' && no 'a hint though welded' || ok
+printf 'v 100.80000305175781 -0.10227286070585251 -0.6000000238418579\nv 99.49482727050781 -0.16715233027935028 0.3788813352584839\nv 100.64140319824219 -0.125 -0.48105019330978394\nv 99.5 -0.5 0.37500080466270447\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n' >"$dir/paper.obj"
+expect 'a mass that is not known is null' 0 '"centroid":null,"inertia":null' sh -c "'$nook' check --json '$dir/paper.obj' || true"
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ]

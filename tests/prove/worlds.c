@@ -498,6 +498,7 @@ static void compare_geometry(void) {
     CHECK_EQUAL(g->inside_out_shells, inside_out);
     CHECK_EQUAL(g->flat_shells, flat);
     CHECK_EQUAL(g->volume_sign, sign);
+    CHECK_EQUAL(nook_volume_sign(&g->volume), sign);
     CHECK(g->signed_volume == (float)((double)volume / 6.0));
     compare_edges(facing);
     compare_witness(facing);
