@@ -212,7 +212,7 @@ format: ## lay out all C files
 format-check: ## fail if `make format` would change anything
 	clang-format --dry-run --Werror $(C_FILES)
 
-bench: ## nook_link beside Draco's CornerTable; needs g++ and libdraco-dev
+bench: ## nook_link beside Draco's CornerTable, exact signs by kind of case; needs g++ and libdraco-dev
 	sh tests/bench/run.sh
 
 tools: ## say, and as root on Debian install, what boards and lint need
