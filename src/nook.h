@@ -75,57 +75,85 @@ extern "C" {
 #include "table/nook_geometry.h" /* box, area, volume, mass, edges, convexity */
 #include "table/nook_check.h"    /* sound or not, and where */
 
+/* walk: around vertices, along borders, across edges */
+#include "walk/nook_star.h"         /* the triangles around a vertex */
+#include "walk/nook_border.h"       /* along the loops of a border */
+#include "walk/nook_relation.h"     /* VV VE VF EV EE EF FV FE FF */
+#include "walk/nook_halfedge.h"     /* half-edges, MeshLib, quad-edge */
+#include "walk/nook_flood.h"        /* searches, distances, components */
+#include "walk/nook_neighborhood.h" /* k-rings by stars */
+
 #ifdef __cplusplus
 }
 #endif
 
 /* INDEX OF TERMS (the seeds' words, and where they stand)
  *
- * adjacent triangles      nook_opposite, nook_ntav
- * area                    nook_geometry.area
- * border, border edge     nook_is_border; NOOK_BORDER_EDGE
- * bow-tie                 NOOK_NONMANIFOLD_VERTEX
- * centroid                nook_geometry.centroid
- * clean                   nook_check_result.clean
- * component               nook_survey.components, nook_shells
- * concave edge            nook_geometry.concave_edges
- * convex edge             nook_geometry.convex_edges
- * convex mesh             nook_geometry.convex, with a witness if not
- * corner, corner table    nook_view: V, O
- * duplicate               NOOK_DUPLICATE_TRIANGLE
- * edge-connected          nook_survey
- * edge-manifold           nook_check_result.edge_manifold
- * Euler number            nook_check_result.euler
- * even                    nook_check_result.even (the seed's weaker "watertight")
- * fan                     nook_survey.fans
- * flat edge               nook_geometry.flat_edges
- * folded edge             NOOK_FOLDED_EDGE
- * genus, handles          nook_shell_genus
- * hole, border loop       nook_survey.border_loops
- * incidence table         nook_view.V
- * inertia                 nook_geometry.inertia
- * inside out, outward     NOOK_INSIDE_OUT; nook_geometry.inside_out_shells
- * isolated vertex (hair)  NOOK_ISOLATED_VERTEX
- * l, left                 nook_left
- * manifold                nook_check_result.manifold
- * marks Mt, Mv            nook_marks
- * n, next                 nook_next
- * ntav, nvat              nook_ntav, nook_nvat
- * o, opposite             nook_opposite; computed by nook_link
- * orient2d, orient3d      nook_orient2d, nook_orient3d
- * orientable              nook_survey.orientable
- * oriented                nook_check_result.oriented
- * p, previous             nook_prev
- * r, right                nook_right
- * s, swing                nook_swing
- * shell                   nook_shell
- * simple mesh             nook_check_result.simple
- * soup                    nook_mesh_append, nook_weld
- * t, triangle             nook_triangle
- * v, vertex               nook_vertex
- * volume                  nook_geometry.signed_volume; exact: nook_volume
- * watertight              nook_check_result.watertight
- * zero-area triangle      NOOK_ZERO_AREA_TRIANGLE
+ * adjacent triangles          nook_opposite, nook_ntav
+ * area                        nook_geometry.area
+ * border, border edge         nook_is_border; NOOK_BORDER_EDGE
+ * bow-tie                     NOOK_NONMANIFOLD_VERTEX
+ * breadth-first, rings        nook_rings (distance across edges)
+ * centroid                    nook_geometry.centroid
+ * clean                       nook_check_result.clean
+ * component                   nook_survey.components, nook_shells; tags: nook_components, nook_flood
+ * concave edge                nook_geometry.concave_edges
+ * convex edge                 nook_geometry.convex_edges
+ * convex mesh                 nook_geometry.convex, with a witness if not
+ * corner, corner table        nook_view: V, O
+ * depth-first search, Visit   nook_flood
+ * duplicate                   NOOK_DUPLICATE_TRIANGLE
+ * edge                        nook_edge (its canonical corner)
+ * edge-connected              nook_survey
+ * edge-manifold               nook_check_result.edge_manifold
+ * eLnext, eLprev              nook_next_halfedge, nook_prev_halfedge
+ * eOnext ... eRprev           nook_onext, nook_oprev, nook_dnext, nook_dprev, nook_rnext, nook_rprev
+ * eSym, pair                  nook_pair
+ * Euler number                nook_check_result.euler
+ * even                        nook_check_result.even (the seed's weaker "watertight")
+ * fan                         nook_survey.fans
+ * flat edge                   nook_geometry.flat_edges
+ * folded edge                 NOOK_FOLDED_EDGE
+ * genus, handles              nook_shell_genus
+ * half-edge                   nook_halfedge
+ * hole, border loop           nook_border_next, nook_border_length; counted: nook_survey.border_loops
+ * incidence table             nook_view.V
+ * inertia                     nook_geometry.inertia
+ * inside out, outward         NOOK_INSIDE_OUT; nook_geometry.inside_out_shells
+ * isolated vertex (hair)      NOOK_ISOLATED_VERTEX
+ * k-ring                      nook_neighborhood
+ * l, left                     nook_left
+ * label vertices              nook_flood_new_vertices
+ * left, right face            nook_left_face, nook_right_face
+ * lone edge                   !nook_is_halfedge
+ * manifold                    nook_check_result.manifold
+ * marks Mt, Mv                nook_marks
+ * n, next                     nook_next
+ * next, prev (half-edge)      nook_next_halfedge, nook_prev_halfedge; of MeshLib: nook_onext, nook_oprev
+ * ntav, nvat                  nook_ntav, nook_nvat
+ * o, opposite                 nook_opposite; computed by nook_link
+ * orient2d, orient3d          nook_orient2d, nook_orient3d
+ * orientable                  nook_survey.orientable
+ * oriented                    nook_check_result.oriented
+ * origin ring                 nook_onext from nook_halfedge_of_vertex
+ * origin, target; org, dest   nook_origin, nook_target
+ * p, previous                 nook_prev
+ * r, right                    nook_right
+ * s, swing                    nook_swing; nook_turn stops at borders
+ * shell                       nook_shell
+ * simple mesh                 nook_check_result.simple
+ * soup                        nook_mesh_append, nook_weld
+ * star of a vertex            nook_star
+ * star of an edge             NOOK_EF
+ * t, triangle                 nook_triangle
+ * v, vertex                   nook_vertex
+ * valence                     nook_valence
+ * valid vertex                nook_corner_of is not NOOK_NONE
+ * volume                      nook_geometry.signed_volume; exact: nook_volume
+ * VV VE VF EV EE EF FV FE FF  nook_related
+ * watertight                  nook_check_result.watertight
+ * winged edge                 NOOK_EV, NOOK_EF, NOOK_EE; its walk: NOOK_VE
+ * zero-area triangle          NOOK_ZERO_AREA_TRIANGLE
  */
 
 #endif

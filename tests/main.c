@@ -17,6 +17,7 @@ int main(void) {
     test_link();
     test_geometry();
     test_check();
+    test_walk();
     test_verdict();
     test_worlds();
     test_corrupt();

@@ -10,6 +10,7 @@ void test_weld(void);
 void test_link(void);
 void test_geometry(void);
 void test_check(void);
+void test_walk(void);
 void test_verdict(void);
 void test_worlds(void);
 void test_corrupt(void);
