@@ -547,15 +547,13 @@ static void mass_scales_with_the_mesh(void) {
 static void a_needle_along_any_axis_keeps_its_area(void) {
     uint32_t axis, v;
     for (axis = 0; axis < 3; axis++) {
+        const float x = axis == 0 ? 0x1p+30f : 0x1p-100f, y = axis == 1 ? 0x1p+30f : 0x1p-100f;
+        const float z = axis == 2 ? 0x1p+30f : 0x1p-100f;
         cube();
-        for (v = 0; v < 8; v++) {
-            nook_point p = nook_scaled(b.mesh.G[v], 0x1p-100f);
-            if ((&p.x)[axis] != 0) (&p.x)[axis] = 0x1p+30f;
-            b.mesh.G[v] = p;
-        }
+        for (v = 0; v < 8; v++) place(v, b.mesh.G[v].x * x, b.mesh.G[v].y * y, b.mesh.G[v].z * z);
         examine();
         CHECK(g->area == 0x1p-68f);
-        CHECK((&g->box_max.x)[axis] == 0x1p+30f);
+        CHECK(g->box_max.x == x && g->box_max.y == y && g->box_max.z == z);
     }
 }
 
