@@ -183,9 +183,7 @@ static void settle(nook_components *s) {
     uint32_t t = s->at++;
     if (s->phase == ALONE) {
         up[t] = nook_store(t);
-    } else if (s->phase == FLATTEN) {
-        up[t] = up[up[t]];
-    } else if (up[t] == t) {
+    } else if (s->phase == NUMBER && up[t] == t) {
         up[t] = nook_store(s->count++);
     } else {
         up[t] = up[up[t]];
