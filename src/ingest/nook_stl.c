@@ -78,7 +78,8 @@ static bool fill(nook_stl *stl, uint32_t count, const uint8_t **at, size_t *left
 
 static nook_status push_binary(nook_stl *stl, const uint8_t **at, size_t *left, nook_point corners[3]) {
     if (stl->triangles == stl->declared) {
-        stl->trailing = stl->trailing || *left != 0;
+        if (*left == 0) return NOOK_MORE;
+        stl->trailing = true;
         *at += *left;
         *left = 0;
         return NOOK_MORE;
