@@ -83,6 +83,9 @@ extern "C" {
 #include "walk/nook_flood.h"        /* searches, distances, components */
 #include "walk/nook_neighborhood.h" /* k-rings by stars */
 
+/* edit: change a linked mesh, a place at a time */
+#include "edit/nook_local.h" /* flip, splits, collapse */
+
 #ifdef __cplusplus
 }
 #endif
@@ -103,7 +106,10 @@ extern "C" {
  * corner, corner table        nook_view: V, O
  * depth-first search, Visit   nook_flood
  * duplicate                   NOOK_DUPLICATE_TRIANGLE
+ * delete vertex               nook_remove_vertex
  * edge                        nook_edge (its canonical corner)
+ * edge collapse               nook_collapse
+ * edge split, edge swap       nook_split_edge, nook_flip
  * edge-connected              nook_survey
  * edge-manifold               nook_check_result.edge_manifold
  * eLnext, eLprev              nook_next_halfedge, nook_prev_halfedge
@@ -146,6 +152,7 @@ extern "C" {
  * star of a vertex            nook_star
  * star of an edge             NOOK_EF
  * t, triangle                 nook_triangle
+ * triangle split              nook_split_triangle
  * v, vertex                   nook_vertex
  * valence                     nook_valence
  * valid vertex                nook_corner_of is not NOOK_NONE

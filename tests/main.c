@@ -18,6 +18,7 @@ int main(void) {
     test_geometry();
     test_check();
     test_walk();
+    test_edit();
     test_verdict();
     test_worlds();
     test_corrupt();

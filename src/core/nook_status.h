@@ -39,6 +39,11 @@ typedef enum nook_status {
     NOOK_ZERO_AREA_TRIANGLE, /* three different vertices on one line. where: the triangle */
     NOOK_FOLDED_EDGE, /* its two triangles are in one plane, one back upon the other. where: the corner */
 
+    /* An edit that would spoil the mesh, and is refused. */
+    NOOK_DUPLICATE_EDGE, /* two vertices would be joined twice */
+    NOOK_WRONG_VALENCE,  /* the vertex has another number of triangles than the operator asks for */
+    NOOK_LAST_TRIANGLE,  /* nothing would be left to hold on to */
+
     /* Bytes that cannot be read. where: the byte, or the line of a text format */
     NOOK_BAD_NUMBER,     /* not a decimal number */
     NOOK_BAD_SYNTAX,     /* a word where another was required */

@@ -1,0 +1,503 @@
+/* test_edit.c -- local operators, legal and refused, against what becomes of the list of triangles.
+ *
+ * The oracle does to the list of triangles what the operator says, without any adjacency, and links the result
+ * anew: the operator must be legal exactly if that is a manifold of the same kind, with as many loops, handles and
+ * parts; and then its tables must be those of the new list. Refusals must leave every byte as it was. The flip
+ * is also tested by what it can reach: all triangulations of the sphere, of which the numbers are known. */
+#include <string.h>
+
+#include "rooms.h"
+#include "shapes.h"
+
+enum { MOST = 64, MOST_C = 3 * MOST };
+
+static nook_index list[MOST_C]; /* the triangles as they should be */
+static uint32_t listed;
+
+static nook_mesh other; /* for the list, linked anew */
+static NOOK_MESH_ARRAYS(MOST, MOST) other_arrays;
+static nook_report other_report;
+static nook_check_result other_result;
+
+static NOOK_MESH_ARRAYS(MOST, MOST) kept;
+
+static void take_list(void) {
+    listed = b.mesh.nt;
+    memcpy(list, b.mesh.V, 3 * listed * sizeof *list);
+}
+
+static bool has(uint32_t t, uint32_t v) {
+    return list[3 * t] == v || list[3 * t + 1] == v || list[3 * t + 2] == v;
+}
+
+/* Link the list; whether it is a manifold without duplicates, whose directions agree. */
+static bool list_is_manifold(uint32_t nv) {
+    nook_view view;
+    uint32_t v;
+    nook_mesh_init(&other, other_arrays.G, other_arrays.V, other_arrays.O, other_arrays.C, MOST, MOST);
+    for (v = 0; v < nv; v++) other.G[v] = nook_make((float)v, (float)(v * v % 17), (float)(v * v * v % 23));
+    memcpy(other.V, list, 3 * listed * sizeof *list);
+    other.nv = nv;
+    other.nt = listed;
+    if (nook_link(&other, &b.marks, NULL, NULL, &other_report, NULL) != NOOK_OK) return false;
+    view = nook_view_of(&other);
+    CHECK_EQUAL(nook_check(&view, &b.marks, &other_report, NULL, NULL, &other_result), NOOK_OK);
+    return other_result.manifold == NOOK_YES && other_report.incoherent_edges == 0 &&
+           other_report.duplicate_triangles == 0;
+}
+
+/* The tables of b.mesh are whole, and O is what its V says. */
+static void tables_hold(void) {
+    nook_view view = nook_view_of(&b.mesh);
+    uint32_t c;
+    take_list();
+    CHECK(list_is_manifold(b.mesh.nv));
+    for (c = 0; c < 3 * b.mesh.nt; c++) CHECK_EQUAL(b.mesh.O[c], other.O[c]);
+    CHECK_EQUAL(nook_check(&view, &b.marks, NULL, NULL, NULL, &b.result), NOOK_OK);
+    CHECK_EQUAL(b.result.bad_indices + b.result.bad_opposites + b.result.bad_corners, 0);
+    CHECK_EQUAL(b.result.isolated_vertices, 0);
+}
+
+static void keep(void) {
+    memcpy(kept.V, b.mesh.V, sizeof kept.V);
+    memcpy(kept.O, b.mesh.O, sizeof kept.O);
+    memcpy(kept.C, b.mesh.C, sizeof kept.C);
+    memcpy(kept.G, b.mesh.G, sizeof kept.G);
+}
+
+static void restore(uint32_t nv, uint32_t nt) {
+    memcpy(b.mesh.V, kept.V, sizeof kept.V);
+    memcpy(b.mesh.O, kept.O, sizeof kept.O);
+    memcpy(b.mesh.C, kept.C, sizeof kept.C);
+    memcpy(b.mesh.G, kept.G, sizeof kept.G);
+    b.mesh.nv = nv;
+    b.mesh.nt = nt;
+}
+
+static void is_as_kept(void) {
+    CHECK(memcmp(b.mesh.V, kept.V, sizeof kept.V) == 0 && memcmp(b.mesh.O, kept.O, sizeof kept.O) == 0);
+    CHECK(memcmp(b.mesh.C, kept.C, sizeof kept.C) == 0 && memcmp(b.mesh.G, kept.G, sizeof kept.G) == 0);
+}
+
+/* Coherent manifold shapes that fit. The numbers of the whole are in other_result. */
+static bool begin(uint32_t i) {
+    shapes[i].build();
+    if (b.mesh.nt + 4 > MOST || b.mesh.nv + 2 > MOST) return false;
+    take_list();
+    if (!list_is_manifold(b.mesh.nv)) return false;
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    return true;
+}
+
+/* ---- the operators on the list ------------------------------------------------------------------------- */
+
+static bool list_flips(uint32_t c) {
+    uint32_t a = list[c], d, t, o = b.mesh.O[c];
+    if (o == c) return false;
+    d = list[o];
+    for (t = 0; t < listed; t++) {
+        if (a == d || (has(t, a) && has(t, d))) return false;
+    }
+    list[nook_prev(c)] = nook_store(d);
+    list[nook_prev(o)] = nook_store(a);
+    return list_is_manifold(b.mesh.nv);
+}
+
+/* B becomes C, triangles with both go, and the last names fill the gaps as in the mesh; legal if what is left is a
+ * manifold of the same kind. */
+static bool list_collapses(uint32_t c) {
+    uint32_t gone = list[nook_next(c)], stays = list[nook_prev(c)], i, t, last = b.mesh.nv - 1;
+    nook_check_result before;
+    CHECK(list_is_manifold(b.mesh.nv));
+    before = other_result;
+    for (t = 0; t < listed;) {
+        if (has(t, gone) && has(t, stays)) {
+            listed--;
+            memmove(list + 3 * t, list + 3 * t + 3, 3 * (listed - t) * sizeof *list);
+        } else {
+            t++;
+        }
+    }
+    for (i = 0; i < 3 * listed; i++) {
+        if (list[i] == gone) list[i] = nook_store(stays);
+        if (list[i] == last) list[i] = nook_store(gone);
+    }
+    if (listed == 0 || !list_is_manifold(b.mesh.nv - 1)) return false;
+    return other_result.euler == before.euler &&
+           other_result.survey.border_loops == before.survey.border_loops &&
+           other_result.survey.components == before.survey.components && other_result.isolated_vertices == 0;
+}
+
+/* Whether the mesh has exactly the triangles of the list, in any order and turn. */
+static void same_triangles(void) {
+    uint32_t t, u, i;
+    CHECK_EQUAL(b.mesh.nt, listed);
+    for (t = 0; t < listed; t++) {
+        uint32_t found = 0;
+        for (u = 0; u < b.mesh.nt; u++) {
+            for (i = 0; i < 3; i++) {
+                found += b.mesh.V[3 * u + i] == list[3 * t] &&
+                         b.mesh.V[3 * u + (i + 1) % 3] == list[3 * t + 1] &&
+                         b.mesh.V[3 * u + (i + 2) % 3] == list[3 * t + 2];
+            }
+        }
+        CHECK_EQUAL(found, 1);
+    }
+}
+
+/* ---- every edge of every shape --------------------------------------------------------------------------- */
+
+static void every_flip_is_legal_or_refused_as_the_list_says(void) {
+    uint32_t i, c, legal = 0, refused = 0;
+    for (i = 0; i < shape_count && !test_has_failed(); i++) {
+        if (!begin(i)) continue;
+        keep();
+        for (c = 0; c < 3 * b.mesh.nt; c++) {
+            bool good;
+            nook_status status;
+            take_list();
+            good = list_flips(c);
+            status = nook_flip(&b.mesh, c);
+            CHECK_EQUAL(status == NOOK_OK, good);
+            if (good) {
+                CHECK(memcmp(b.mesh.V, list, 3 * listed * sizeof *list) == 0);
+                tables_hold();
+                restore(b.mesh.nv, b.mesh.nt);
+                legal++;
+            } else {
+                CHECK_EQUAL(status, b.mesh.O[c] == c ? NOOK_BORDER_EDGE : NOOK_DUPLICATE_EDGE);
+                is_as_kept();
+                refused++;
+            }
+        }
+    }
+    CHECK(legal > 50 && refused > 50);
+    CHECK_EQUAL(nook_flip(&b.mesh, 3 * b.mesh.nt), NOOK_INDEX_OUT_OF_RANGE);
+}
+
+static uint32_t renamed_vertices, renamed_triangles, last_from, last_to;
+static void hear(void *user, nook_kind kind, uint32_t from, uint32_t to) {
+    (void)user;
+    *(kind == NOOK_AT_VERTEX ? &renamed_vertices : &renamed_triangles) += 1;
+    if (kind == NOOK_AT_VERTEX) last_from = from, last_to = to;
+}
+static const nook_renamer renamer = {hear, NULL};
+
+static void every_collapse_is_legal_or_refused_as_the_list_says(void) {
+    uint32_t i, c, legal = 0, seen[NOOK_STATUS_COUNT];
+    memset(seen, 0, sizeof seen);
+    for (i = 0; i < shape_count && !test_has_failed(); i++) {
+        if (!begin(i)) continue;
+        keep();
+        for (c = 0; c < 3 * b.mesh.nt; c++) {
+            uint32_t nv = b.mesh.nv, nt = b.mesh.nt, gone = b.mesh.V[nook_next(c)],
+                     stays = b.mesh.V[nook_prev(c)];
+            bool good, border = b.mesh.O[c] == c;
+            nook_status status;
+            take_list();
+            good = list_collapses(c);
+            renamed_vertices = renamed_triangles = 0;
+            status = nook_collapse(&b.mesh, c, nook_make(1, 2, 3), &renamer);
+            seen[status]++;
+            CHECK_EQUAL(status == NOOK_OK, good);
+            if (!good) {
+                is_as_kept();
+                continue;
+            }
+            CHECK_EQUAL(b.mesh.nv, nv - 1);
+            CHECK_EQUAL(b.mesh.nt, nt - (border ? 1 : 2));
+            CHECK_EQUAL(renamed_vertices, gone != nv - 1);
+            if (gone != nv - 1) CHECK(last_from == nv - 1 && last_to == gone);
+            CHECK(b.mesh.G[stays == nv - 1 ? gone : stays].z == 3);
+            same_triangles();
+            tables_hold();
+            restore(nv, nt);
+            legal++;
+        }
+    }
+    CHECK(legal > 50);
+    CHECK(seen[NOOK_DUPLICATE_EDGE] > 0 && seen[NOOK_NONMANIFOLD_VERTEX] > 0 &&
+          seen[NOOK_DUPLICATE_TRIANGLE] > 0);
+    CHECK_EQUAL(nook_collapse(&b.mesh, 3 * b.mesh.nt, nook_make(0, 0, 0), NULL), NOOK_INDEX_OUT_OF_RANGE);
+    begin_shape(3);
+    add(0, 1, 2);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    keep();
+    for (c = 0; c < 3; c++)
+        CHECK_EQUAL(nook_collapse(&b.mesh, c, nook_make(0, 0, 0), NULL), NOOK_LAST_TRIANGLE);
+    is_as_kept();
+}
+
+static void a_split_triangle_is_whole_and_its_vertex_can_be_removed(void) {
+    uint32_t i, t;
+    for (i = 0; i < shape_count && !test_has_failed(); i++) {
+        if (!begin(i)) continue;
+        keep();
+        for (t = 0; t < b.mesh.nt; t++) {
+            uint32_t nv = b.mesh.nv, nt = b.mesh.nt, v;
+            CHECK_EQUAL(nook_split_triangle(&b.mesh, t, nook_make(7, 8, 9)), NOOK_OK);
+            CHECK(b.mesh.nv == nv + 1 && b.mesh.nt == nt + 2 && b.mesh.G[nv].y == 8);
+            tables_hold();
+            CHECK_EQUAL(other_result.euler, shapes[i].euler);
+            for (v = 0; v < nv; v++) {
+                nook_view view = nook_view_of(&b.mesh);
+                uint32_t valence = nook_valence(&view, b.mesh.C[v]);
+                if (valence != 3) CHECK_EQUAL(nook_remove_vertex(&b.mesh, v, NULL), NOOK_WRONG_VALENCE);
+            }
+            renamed_vertices = renamed_triangles = 0;
+            CHECK_EQUAL(nook_remove_vertex(&b.mesh, nv, &renamer), NOOK_OK);
+            CHECK(memcmp(b.mesh.V, kept.V, 3 * nt * sizeof(nook_index)) == 0);
+            CHECK(memcmp(b.mesh.O, kept.O, 3 * nt * sizeof(nook_index)) == 0);
+            CHECK_EQUAL(renamed_vertices + renamed_triangles, 0);
+            tables_hold();
+            restore(nv, nt);
+        }
+    }
+    CHECK_EQUAL(nook_split_triangle(&b.mesh, b.mesh.nt, nook_make(0, 0, 0)), NOOK_INDEX_OUT_OF_RANGE);
+    CHECK_EQUAL(nook_remove_vertex(&b.mesh, b.mesh.nv, NULL), NOOK_INDEX_OUT_OF_RANGE);
+    b.mesh.max_nt = b.mesh.nt + 1;
+    CHECK_EQUAL(nook_split_triangle(&b.mesh, 0, nook_make(0, 0, 0)), NOOK_NO_CAPACITY);
+    b.mesh.max_nt = b.mesh.nt + 2;
+    b.mesh.max_nv = b.mesh.nv;
+    CHECK_EQUAL(nook_split_triangle(&b.mesh, 0, nook_make(0, 0, 0)), NOOK_NO_CAPACITY);
+    begin(1); /* a tetrahedron: under each vertex there is the triangle that would stay */
+    keep();
+    for (i = 0; i < 4; i++) CHECK_EQUAL(nook_remove_vertex(&b.mesh, i, NULL), NOOK_DUPLICATE_TRIANGLE);
+    is_as_kept();
+    b.mesh.C[0] = NOOK_STORED_NONE;
+    CHECK_EQUAL(nook_remove_vertex(&b.mesh, 0, NULL), NOOK_INDEX_OUT_OF_RANGE);
+}
+
+static void a_split_edge_is_whole_and_its_half_can_be_collapsed(void) {
+    uint32_t i, c;
+    for (i = 0; i < shape_count && !test_has_failed(); i++) {
+        if (!begin(i)) continue;
+        keep();
+        for (c = 0; c < 3 * b.mesh.nt; c++) {
+            uint32_t nv = b.mesh.nv, nt = b.mesh.nt, end = b.mesh.V[nook_prev(c)],
+                     from = b.mesh.V[nook_next(c)];
+            nook_point at = b.mesh.G[end];
+            bool border = b.mesh.O[c] == c;
+            CHECK_EQUAL(nook_split_edge(&b.mesh, c, nook_make(7, 8, 9)), NOOK_OK);
+            CHECK(b.mesh.nv == nv + 1 && b.mesh.nt == nt + (border ? 1 : 2) && b.mesh.G[nv].y == 8);
+            CHECK(b.mesh.V[nook_next(c)] == from && b.mesh.V[nook_prev(c)] == nv);
+            tables_hold();
+            CHECK_EQUAL(other_result.euler, shapes[i].euler);
+            /* The first new triangle has its first corner opposite to the edge from the new vertex to C. */
+            CHECK(b.mesh.V[3 * nt + 1] == nv && b.mesh.V[3 * nt + 2] == end);
+            CHECK_EQUAL(nook_collapse(&b.mesh, 3 * nt, at, NULL), NOOK_OK);
+            CHECK(memcmp(b.mesh.V, kept.V, 3 * nt * sizeof(nook_index)) == 0);
+            CHECK(memcmp(b.mesh.O, kept.O, 3 * nt * sizeof(nook_index)) == 0);
+            tables_hold();
+            restore(nv, nt);
+        }
+    }
+    CHECK_EQUAL(nook_split_edge(&b.mesh, 3 * b.mesh.nt, nook_make(0, 0, 0)), NOOK_INDEX_OUT_OF_RANGE);
+    begin(1);
+    b.mesh.max_nt = b.mesh.nt + 1;
+    CHECK_EQUAL(nook_split_edge(&b.mesh, 0, nook_make(0, 0, 0)), NOOK_NO_CAPACITY);
+    b.mesh.max_nt = b.mesh.nt + 2;
+    b.mesh.max_nv = b.mesh.nv;
+    CHECK_EQUAL(nook_split_edge(&b.mesh, 0, nook_make(0, 0, 0)), NOOK_NO_CAPACITY);
+    shapes[11].build(); /* two triangles back to back */
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    CHECK_EQUAL(nook_split_edge(&b.mesh, 0, nook_make(0, 0, 0)), NOOK_DUPLICATE_TRIANGLE);
+    CHECK_EQUAL(nook_collapse(&b.mesh, 0, nook_make(0, 0, 0), NULL), NOOK_DUPLICATE_TRIANGLE);
+    CHECK_EQUAL(nook_flip(&b.mesh, 0), NOOK_DUPLICATE_EDGE);
+}
+
+/* ---- all triangulations of the sphere -------------------------------------------------------------------- */
+
+enum { CODE = 3 * 2 * (9 - 2) };
+typedef struct code {
+    uint8_t v[CODE];
+} code;
+static code known[64];
+
+/* The list of triangles in the order of a search from corner c, by new names; from either side. */
+static code code_from(uint32_t c, bool mirrored) {
+    static uint8_t name[MOST], queue[MOST_C], done[MOST];
+    code k;
+    uint32_t head = 0, tail = 0, names = 0, n = 0, i;
+    memset(name, 0xFF, sizeof name);
+    memset(done, 0, sizeof done);
+    memset(&k, 0, sizeof k);
+    queue[tail++] = (uint8_t)c;
+    done[c / 3] = 1;
+    while (head < tail) {
+        uint32_t x = queue[head++], order[3];
+        order[0] = x, order[1] = mirrored ? nook_prev(x) : nook_next(x),
+        order[2] = mirrored ? nook_next(x) : nook_prev(x);
+        for (i = 0; i < 3; i++) {
+            uint32_t v = b.mesh.V[order[i]];
+            if (name[v] == 0xFF) name[v] = (uint8_t)names++;
+            k.v[n++] = name[v];
+        }
+        for (i = 0; i < 3; i++) {
+            uint32_t o = b.mesh.O[order[i]];
+            if (done[o / 3]) continue;
+            done[o / 3] = 1;
+            queue[tail++] = (uint8_t)o;
+        }
+    }
+    return k;
+}
+
+static code canonical(void) {
+    code best = code_from(0, false);
+    uint32_t c, side;
+    for (c = 0; c < 3 * b.mesh.nt; c++) {
+        for (side = 0; side < 2; side++) {
+            code k = code_from(c, side == 1);
+            if (memcmp(&k, &best, sizeof k) < 0) best = k;
+        }
+    }
+    return best;
+}
+
+static void build_from(const code *k, uint32_t nv) {
+    begin_shape(nv);
+    add_list(k->v, 2 * nv - 4);
+    CHECK_EQUAL(nook_link(&b.mesh, NULL, NULL, NULL, &b.report, NULL), NOOK_OK);
+}
+
+/* From one triangulation by flips alone, all that there are. */
+static void flips_reach_all_triangulations_of_the_sphere(void) {
+    static const uint8_t counts[] = {1, 1, 2, 5, 14, 50};
+    uint32_t nv, c, i;
+    for (nv = 4; nv <= (NOOK_TEST_RAM < 2000000 ? 8u : 9u) && !test_has_failed(); nv++) {
+        uint32_t found = 1, next;
+        tetrahedron();
+        CHECK_EQUAL(nook_link(&b.mesh, NULL, NULL, NULL, &b.report, NULL), NOOK_OK);
+        while (b.mesh.nv < nv) CHECK_EQUAL(nook_split_triangle(&b.mesh, 0, nook_make(0, 0, 0)), NOOK_OK);
+        known[0] = canonical();
+        for (next = 0; next < found && found < 60; next++) {
+            for (c = 0; c < 3 * (2 * nv - 4); c++) {
+                code k;
+                build_from(&known[next], nv);
+                if (nook_flip(&b.mesh, c) != NOOK_OK) continue;
+                k = canonical();
+                for (i = 0; i < found && memcmp(&k, &known[i], sizeof k) != 0; i++) {
+                }
+                if (i == found) known[found++] = k;
+            }
+        }
+        CHECK_EQUAL(found, counts[nv - 4]);
+    }
+}
+
+/* ---- many, one after the other ----------------------------------------------------------------------------- */
+
+static void thousands_of_mixed_edits_keep_a_mesh_whole(void) {
+    static const uint8_t start[] = {1, 4, 5, 6, 7}; /* tetrahedron, sphere, torus, disk, cylinder */
+    dice d = {20261125u};
+    uint32_t k, step, steps = NOOK_TEST_RAM < 2000000 ? 1500 : 40000, done[5] = {0, 0, 0, 0, 0};
+    for (k = 0; k < sizeof start && !test_has_failed(); k++) {
+        shapes[start[k]].build();
+        if (b.mesh.nt + 4 > MOST || b.mesh.nv + 2 > MOST) torus(4, 5);
+        CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+        b.mesh.max_nv = b.mesh.max_nt = MOST;
+        for (step = 0; step < steps && !test_has_failed(); step++) {
+            uint32_t c = throw_dice(&d, 3 * b.mesh.nt), what = throw_dice(&d, 5);
+            nook_point at = nook_make((float)step, 0, 0);
+            nook_status status = what == 0   ? nook_flip(&b.mesh, c)
+                                 : what == 1 ? nook_split_triangle(&b.mesh, c / 3, at)
+                                 : what == 2 ? nook_split_edge(&b.mesh, c, at)
+                                 : what == 3 ? nook_collapse(&b.mesh, c, at, NULL)
+                                             : nook_remove_vertex(&b.mesh, b.mesh.V[c], NULL);
+            CHECK(status != NOOK_BAD_OPPOSITE);
+            done[what] += status == NOOK_OK;
+            if (step % 16 == 0) tables_hold();
+        }
+        tables_hold();
+        if (!test_has_failed()) CHECK_EQUAL(other_result.survey.components, 1);
+    }
+    for (k = 0; k < 5; k++) CHECK(done[k] > steps / 20);
+}
+
+/* O of other bits where an operator looks: refused before anything is changed. */
+static void spoiled_tables_are_refused(void) {
+    uint32_t c, bit;
+    begin(4);
+    for (c = 0; c < 3 * b.mesh.nt; c++) {
+        for (bit = 0; bit < NOOK_INDEX_BITS; bit += 3) {
+            nook_index good = b.mesh.O[c];
+            b.mesh.O[c] = (nook_index)(b.mesh.O[c] ^ (nook_index)1 << bit);
+            keep();
+            if (b.mesh.O[c] == c) { /* as good as a border, from this side */
+                b.mesh.O[c] = good;
+                continue;
+            }
+            CHECK_EQUAL(nook_flip(&b.mesh, c), NOOK_BAD_OPPOSITE);
+            CHECK_EQUAL(nook_split_edge(&b.mesh, c, nook_make(0, 0, 0)), NOOK_BAD_OPPOSITE);
+            CHECK_EQUAL(nook_split_triangle(&b.mesh, c / 3, nook_make(0, 0, 0)), NOOK_BAD_OPPOSITE);
+            CHECK_EQUAL(nook_collapse(&b.mesh, c, nook_make(0, 0, 0), NULL), NOOK_BAD_OPPOSITE);
+            is_as_kept();
+            b.mesh.O[c] = good;
+        }
+    }
+}
+
+/* Any entry of any table another one: whatever the operators say, they end, and write nothing when they refuse. */
+static nook_status edit_anyhow(uint32_t what, uint32_t c) {
+    static const nook_renamer deaf = {NULL, NULL};
+    nook_point at = nook_make(0, 0, 0);
+    return what == 0   ? nook_flip(&b.mesh, c)
+           : what == 1 ? nook_split_triangle(&b.mesh, c / 3, at)
+           : what == 2 ? nook_split_edge(&b.mesh, c, at)
+           : what == 3 ? nook_collapse(&b.mesh, c, at, &deaf)
+                       : nook_remove_vertex(&b.mesh, c % b.mesh.nv, NULL);
+}
+
+static void try_spoiled(nook_index *entry, uint32_t value) {
+    uint32_t what, c, nv = b.mesh.nv, nt = b.mesh.nt;
+    nook_index good = *entry;
+    *entry = nook_store(value);
+    keep();
+    for (what = 0; what < 5; what++) {
+        for (c = 0; c < 3 * nt; c += NOOK_TEST_RAM < 2000000 ? 5 : 1) {
+            if (edit_anyhow(what, c) != NOOK_OK) is_as_kept();
+            CHECK(b.mesh.nv <= nv + 1 && b.mesh.nt <= nt + 2);
+            restore(nv, nt);
+        }
+    }
+    *entry = good;
+}
+
+static void any_spoiled_entry_ends_well(void) {
+    uint32_t k, i, value, step = NOOK_TEST_RAM < 2000000 ? 7 : 1;
+    for (k = 1; k < 3; k++) {
+        if (!begin(k)) continue;
+        if (k == 1) CHECK_EQUAL(nook_split_triangle(&b.mesh, 1, nook_make(3, 3, 3)), NOOK_OK);
+        b.mesh.nv++; /* and a vertex of no triangle, which is the last */
+        b.mesh.C[b.mesh.nv - 1] = NOOK_STORED_NONE;
+        for (value = 0; value <= 3 * b.mesh.nt + 1; value += step) {
+            uint32_t other_value = value > 3 * b.mesh.nt ? NOOK_STORED_NONE : value;
+            for (i = 0; i < 3 * b.mesh.nt; i++) try_spoiled(&b.mesh.O[i], other_value);
+            for (i = 0; i < 3 * b.mesh.nt; i++) try_spoiled(&b.mesh.V[i], other_value);
+            for (i = 0; i < b.mesh.nv; i++) try_spoiled(&b.mesh.C[i], other_value);
+            if (test_has_failed()) return;
+        }
+    }
+    begin_shape(3); /* a triangle whose own corners face each other */
+    add(0, 1, 2);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    b.mesh.O[1] = 2;
+    b.mesh.O[2] = 1;
+    keep();
+    CHECK_EQUAL(nook_remove_vertex(&b.mesh, 0, NULL), NOOK_WRONG_VALENCE);
+    is_as_kept();
+}
+
+static const test tests[] = {
+    TEST(every_flip_is_legal_or_refused_as_the_list_says),
+    TEST(every_collapse_is_legal_or_refused_as_the_list_says),
+    TEST(a_split_triangle_is_whole_and_its_vertex_can_be_removed),
+    TEST(a_split_edge_is_whole_and_its_half_can_be_collapsed),
+    TEST(flips_reach_all_triangulations_of_the_sphere),
+    TEST(thousands_of_mixed_edits_keep_a_mesh_whole),
+    TEST(spoiled_tables_are_refused),
+    TEST(any_spoiled_entry_ends_well),
+};
+
+void test_edit(void) { run_tests(tests, sizeof tests / sizeof *tests); }
