@@ -24,8 +24,8 @@
  *                                    units can be handed to the next call
  *     nook_X(...)                    both in a loop
  * (nook_digest() and nook_drop_degenerate() are one plain pass and have only the last form; nook_survey and
- * nook_geometry, which link and check run for you, only the first two.) begin copies views and marks; all else it
- * is given must stay until the end. Between steps nobody else may write the tables or the marks, and results say
+ * nook_geometry, which link and check run for you, and the searches of walk only the first two.) begin copies
+ * marks, and views except in walk; all else it is given must stay until the end. Between steps nobody else may write the tables or the marks, and results say
  * nothing before NOOK_OK. A weld or link that is given up leaves the tables half done.
  * Each header says what a unit is and the most instructions it costs. States are at most 256
  * bytes. Nothing recurses. The worst stack, helpers of the compiler included, is 650 bytes on Cortex-M0 and 620 on
