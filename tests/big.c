@@ -5,7 +5,7 @@
 
 /* ---- integers in sign and magnitude -------------------------------------------------------------- */
 
-enum { LIMBS = 30 };
+enum { LIMBS = 48 };
 typedef struct big {
     bool negative;
     uint32_t n; /* limbs in use; the last is not 0 */
@@ -183,6 +183,34 @@ int big_compare_distances(const nook_point p[4]) {
         multiply(&m[1][1], &m[0][1], &m[0][1]);
         add(&sum, &m[1][0], false);
         add(&sum, &m[1][1], true);
+    }
+    return sign_of_big(&sum);
+}
+
+/* The normal of each piece as three minors of differences, all axes on one unit. */
+int big_compare_normals(const nook_point p[8]) {
+    static big normal[2][3], product;
+    uint32_t axis, piece, lowest = 255u;
+    for (axis = 0; axis < 3u; axis++) {
+        uint32_t l = lowest_of(p, 8, axis);
+        if (l < lowest) lowest = l;
+    }
+    for (piece = 0; piece < 2u; piece++) {
+        const nook_point *q = p + 4u * piece;
+        for (axis = 0; axis < 3u; axis++) {
+            take_difference(&m[0][axis], coordinate(&q[2], axis), coordinate(&q[0], axis), lowest);
+            take_difference(&m[1][axis], coordinate(&q[3], axis), coordinate(&q[1], axis), lowest);
+        }
+        for (axis = 0; axis < 3u; axis++) {
+            uint32_t u = (axis + 1u) % 3u, v = (axis + 2u) % 3u;
+            take_minor(&normal[piece][axis], &m[0][u], &m[1][v], &m[0][v], &m[1][u]);
+        }
+    }
+    sum.n = 0;
+    sum.negative = false;
+    for (axis = 0; axis < 3u; axis++) {
+        multiply(&product, &normal[0][axis], &normal[1][axis]);
+        add(&sum, &product, false);
     }
     return sign_of_big(&sum);
 }

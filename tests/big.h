@@ -10,6 +10,7 @@
 int big_orient3d(const nook_point p[4]);
 int big_orient2d(const nook_point p[3], uint32_t axis);
 int big_compare_distances(const nook_point p[4]);
+int big_compare_normals(const nook_point p[8]);
 /* The sign of the sum of the determinants of n triangles p[0..2], p[3..5] and so on. */
 int big_volume_sign(const nook_point *p, uint32_t n);
 

@@ -50,7 +50,6 @@ static int sign_of(int64_t n) { return (n > 0) - (n < 0); }
 
 /* ---- float ------------------------------------------------------------------------------------- */
 
-#if NOOK_HAS_FPU
 /* A sign, if the value is beyond its error: that of rounding, relative to what was added up, and that of
  * products below the smallest normal float, which scale carries along. Else UNDECIDED. NaN decides nothing. */
 static int decided(float value, float relative, float magnitude, float scale) {
@@ -61,6 +60,22 @@ static int decided(float value, float relative, float magnitude, float scale) {
 
 static float magnitude(float x) { return x < 0 ? -x : x; }
 
+/* Also without an FPU: what is left costs thirty times as much. */
+NOOK_APART static int normals_by_floats(const nook_point *const *p, const nook_point *const *q) {
+    nook_point u = nook_sub(*p[2], *p[0]), v = nook_sub(*p[3], *p[1]);
+    nook_point x = nook_sub(*q[2], *q[0]), y = nook_sub(*q[3], *q[1]);
+    nook_point n = nook_cross(u, v), m = nook_cross(x, y), bound, other;
+    bound =
+        nook_make(magnitude(u.y * v.z) + magnitude(u.z * v.y), magnitude(u.z * v.x) + magnitude(u.x * v.z),
+                  magnitude(u.x * v.y) + magnitude(u.y * v.x));
+    other =
+        nook_make(magnitude(x.y * y.z) + magnitude(x.z * y.y), magnitude(x.z * y.x) + magnitude(x.x * y.z),
+                  magnitude(x.x * y.y) + magnitude(x.y * y.x));
+    return decided(nook_dot(n, m), 16 * 0x1p-24f, nook_dot(bound, other),
+                   bound.x + bound.y + bound.z + other.x + other.y + other.z);
+}
+
+#if NOOK_HAS_FPU
 static inline int orient3d_by_floats(const nook_point *p0, const nook_point *p1, const nook_point *p2,
                                      const nook_point *p3) {
     nook_point b = nook_sub(*p1, *p0), c = nook_sub(*p2, *p0), d = nook_sub(*p3, *p0);
@@ -294,6 +309,39 @@ NOOK_APART static int distances_by_sum(const nook_point *const *p) {
     return sign_of_sum(sum, SUM_WORDS);
 }
 
+/* One of the eight products of two coordinates u and v in (p2 - p0) x (p3 - p1): bit 0 of which takes p0 for p2, bit 1
+ * p1 for p3, bit 2 the second half of the minor. */
+static product product_of_normal(const nook_point *const *p, uint32_t which, uint32_t u, uint32_t v) {
+    const nook_point *first = p[(which & 1u) != 0 ? 0 : 2], *second = p[(which & 2u) != 0 ? 1 : 3];
+    product xy = (which & 4u) == 0 ? product_of(bits_of(first, u), bits_of(second, v))
+                                   : product_of(bits_of(first, v), bits_of(second, u));
+    xy.sign ^= (which ^ which >> 1 ^ which >> 2) << 31;
+    return xy;
+}
+
+/* All products of four coordinates, from 2^-596 up; the last two are multiplied first and come in two parts of 24 bits,
+ * which as the bits of a float are just that many times the smallest. */
+enum { QUARTIC_WORDS = 36 };
+NOOK_APART static int normals_by_sum(const nook_point *const *p, const nook_point *const *q) {
+    uint32_t sum[QUARTIC_WORDS], axis, i, j;
+    clear(sum, QUARTIC_WORDS);
+    for (axis = 0; axis < 3u; axis++) {
+        uint32_t u = first_after(axis), v = second_after(axis);
+        for (i = 0; i < 8u; i++) {
+            product xy = product_of_normal(p, i, u, v), all = xy;
+            for (j = 0; j < 8u; j++) {
+                product zw = product_of_normal(q, j, u, v);
+                all.sign = xy.sign ^ zw.sign;
+                all.place = xy.place + zw.place + 1u;
+                add_product(sum, QUARTIC_WORDS, &all, zw.low & 0xFFFFFFu);
+                all.place += 24u;
+                add_product(sum, QUARTIC_WORDS, &all, zw.low >> 24 | zw.high << 8);
+            }
+        }
+    }
+    return sign_of_sum(sum, QUARTIC_WORDS);
+}
+
 /* ---- predicates -------------------------------------------------------------------------------- */
 
 NOOK_APART static int orient3d_without_floats(const nook_point *a, const nook_point *b, const nook_point *c,
@@ -338,6 +386,11 @@ int nook_compare_distances(const nook_point *a, const nook_point *b, const nook_
                            const nook_point *d) {
     int sign = distances_by_floats(a, b, c, d);
     return sign != UNDECIDED ? sign : distances_without_floats(a, b, c, d);
+}
+
+int nook_compare_normals(const nook_point *const p[4], const nook_point *const q[4]) {
+    int sign = normals_by_floats(p, q);
+    return sign != UNDECIDED ? sign : normals_by_sum(p, q);
 }
 
 /* ---- volume ------------------------------------------------------------------------------------ */

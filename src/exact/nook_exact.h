@@ -34,6 +34,11 @@ int nook_facing(const nook_point *a, const nook_point *b, const nook_point *c, u
 int nook_compare_distances(const nook_point *a, const nook_point *b, const nook_point *c,
                            const nook_point *d);
 
+/* Whether two flat pieces face the same way: the sign of the dot product of their normals. A piece is four points, its
+ * normal (p2 - p0) x (p3 - p1), twice its vector area; for a triangle give the last point twice. +1 less than a right
+ * angle apart, -1 more, 0 exactly that, or a piece without area. Floats are tried first on every core. */
+int nook_compare_normals(const nook_point *const p[4], const nook_point *const q[4]);
+
 /* The volume enclosed by triangles: six times the sum of the tetrahedra over them from the origin, exact,
  * so the order of the triangles does not matter. For coordinates up to 2^30 and up to 2^32 triangles. */
 #define NOOK_VOLUME_WORDS 18u
