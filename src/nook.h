@@ -84,7 +84,11 @@ extern "C" {
 #include "walk/nook_neighborhood.h" /* k-rings by stars */
 
 /* edit: change a linked mesh, a place at a time */
-#include "edit/nook_local.h" /* flip, splits, collapse */
+#include "edit/nook_edit.h"  /* what edits respect and take along */
+#include "edit/nook_local.h" /* flip, splits, collapse, merge */
+#include "edit/nook_sew.h"   /* at the border: make, remove, stitch, cut */
+#include "edit/nook_fill.h"  /* fill a hole: fan, centroid, ears */
+#include "edit/nook_whole.h" /* reverse a shell, split vertices */
 
 #ifdef __cplusplus
 }

@@ -157,7 +157,7 @@ static void every_flip_is_legal_or_refused_as_the_list_says(void) {
             nook_status status;
             take_list();
             good = list_flips(c);
-            status = nook_flip(&b.mesh, c);
+            status = nook_flip(&b.mesh, c, NULL);
             CHECK_EQUAL(status == NOOK_OK, good);
             if (good) {
                 CHECK(memcmp(b.mesh.V, list, 3 * listed * sizeof *list) == 0);
@@ -172,7 +172,7 @@ static void every_flip_is_legal_or_refused_as_the_list_says(void) {
         }
     }
     CHECK(legal > 50 && refused > 50);
-    CHECK_EQUAL(nook_flip(&b.mesh, 3 * b.mesh.nt), NOOK_INDEX_OUT_OF_RANGE);
+    CHECK_EQUAL(nook_flip(&b.mesh, 3 * b.mesh.nt, NULL), NOOK_INDEX_OUT_OF_RANGE);
 }
 
 static uint32_t renamed_vertices, renamed_triangles, last_from, last_to;
@@ -181,7 +181,7 @@ static void hear(void *user, nook_kind kind, uint32_t from, uint32_t to) {
     *(kind == NOOK_AT_VERTEX ? &renamed_vertices : &renamed_triangles) += 1;
     if (kind == NOOK_AT_VERTEX) last_from = from, last_to = to;
 }
-static const nook_renamer renamer = {hear, NULL};
+static const nook_edit listening = {.renamed = hear};
 
 static void every_collapse_is_legal_or_refused_as_the_list_says(void) {
     uint32_t i, c, legal = 0, seen[NOOK_STATUS_COUNT];
@@ -197,7 +197,7 @@ static void every_collapse_is_legal_or_refused_as_the_list_says(void) {
             take_list();
             good = list_collapses(c);
             renamed_vertices = renamed_triangles = 0;
-            status = nook_collapse(&b.mesh, c, nook_make(1, 2, 3), &renamer);
+            status = nook_collapse(&b.mesh, c, nook_make(1, 2, 3), &listening);
             seen[status]++;
             CHECK_EQUAL(status == NOOK_OK, good);
             if (!good) {
@@ -235,7 +235,7 @@ static void a_split_triangle_is_whole_and_its_vertex_can_be_removed(void) {
         keep();
         for (t = 0; t < b.mesh.nt; t++) {
             uint32_t nv = b.mesh.nv, nt = b.mesh.nt, v;
-            CHECK_EQUAL(nook_split_triangle(&b.mesh, t, nook_make(7, 8, 9)), NOOK_OK);
+            CHECK_EQUAL(nook_split_triangle(&b.mesh, t, nook_make(7, 8, 9), NULL), NOOK_OK);
             CHECK(b.mesh.nv == nv + 1 && b.mesh.nt == nt + 2 && b.mesh.G[nv].y == 8);
             tables_hold();
             CHECK_EQUAL(other_result.euler, shapes[i].euler);
@@ -245,7 +245,7 @@ static void a_split_triangle_is_whole_and_its_vertex_can_be_removed(void) {
                 if (valence != 3) CHECK_EQUAL(nook_remove_vertex(&b.mesh, v, NULL), NOOK_WRONG_VALENCE);
             }
             renamed_vertices = renamed_triangles = 0;
-            CHECK_EQUAL(nook_remove_vertex(&b.mesh, nv, &renamer), NOOK_OK);
+            CHECK_EQUAL(nook_remove_vertex(&b.mesh, nv, &listening), NOOK_OK);
             CHECK(memcmp(b.mesh.V, kept.V, 3 * nt * sizeof(nook_index)) == 0);
             CHECK(memcmp(b.mesh.O, kept.O, 3 * nt * sizeof(nook_index)) == 0);
             CHECK_EQUAL(renamed_vertices + renamed_triangles, 0);
@@ -253,13 +253,13 @@ static void a_split_triangle_is_whole_and_its_vertex_can_be_removed(void) {
             restore(nv, nt);
         }
     }
-    CHECK_EQUAL(nook_split_triangle(&b.mesh, b.mesh.nt, nook_make(0, 0, 0)), NOOK_INDEX_OUT_OF_RANGE);
+    CHECK_EQUAL(nook_split_triangle(&b.mesh, b.mesh.nt, nook_make(0, 0, 0), NULL), NOOK_INDEX_OUT_OF_RANGE);
     CHECK_EQUAL(nook_remove_vertex(&b.mesh, b.mesh.nv, NULL), NOOK_INDEX_OUT_OF_RANGE);
     b.mesh.max_nt = b.mesh.nt + 1;
-    CHECK_EQUAL(nook_split_triangle(&b.mesh, 0, nook_make(0, 0, 0)), NOOK_NO_CAPACITY);
+    CHECK_EQUAL(nook_split_triangle(&b.mesh, 0, nook_make(0, 0, 0), NULL), NOOK_NO_CAPACITY);
     b.mesh.max_nt = b.mesh.nt + 2;
     b.mesh.max_nv = b.mesh.nv;
-    CHECK_EQUAL(nook_split_triangle(&b.mesh, 0, nook_make(0, 0, 0)), NOOK_NO_CAPACITY);
+    CHECK_EQUAL(nook_split_triangle(&b.mesh, 0, nook_make(0, 0, 0), NULL), NOOK_NO_CAPACITY);
     begin(1); /* a tetrahedron: under each vertex there is the triangle that would stay */
     keep();
     for (i = 0; i < 4; i++) CHECK_EQUAL(nook_remove_vertex(&b.mesh, i, NULL), NOOK_DUPLICATE_TRIANGLE);
@@ -278,7 +278,7 @@ static void a_split_edge_is_whole_and_its_half_can_be_collapsed(void) {
                      from = b.mesh.V[nook_next(c)];
             nook_point at = b.mesh.G[end];
             bool border = b.mesh.O[c] == c;
-            CHECK_EQUAL(nook_split_edge(&b.mesh, c, nook_make(7, 8, 9)), NOOK_OK);
+            CHECK_EQUAL(nook_split_edge(&b.mesh, c, nook_make(7, 8, 9), NULL), NOOK_OK);
             CHECK(b.mesh.nv == nv + 1 && b.mesh.nt == nt + (border ? 1 : 2) && b.mesh.G[nv].y == 8);
             CHECK(b.mesh.V[nook_next(c)] == from && b.mesh.V[nook_prev(c)] == nv);
             tables_hold();
@@ -292,18 +292,18 @@ static void a_split_edge_is_whole_and_its_half_can_be_collapsed(void) {
             restore(nv, nt);
         }
     }
-    CHECK_EQUAL(nook_split_edge(&b.mesh, 3 * b.mesh.nt, nook_make(0, 0, 0)), NOOK_INDEX_OUT_OF_RANGE);
+    CHECK_EQUAL(nook_split_edge(&b.mesh, 3 * b.mesh.nt, nook_make(0, 0, 0), NULL), NOOK_INDEX_OUT_OF_RANGE);
     begin(1);
     b.mesh.max_nt = b.mesh.nt + 1;
-    CHECK_EQUAL(nook_split_edge(&b.mesh, 0, nook_make(0, 0, 0)), NOOK_NO_CAPACITY);
+    CHECK_EQUAL(nook_split_edge(&b.mesh, 0, nook_make(0, 0, 0), NULL), NOOK_NO_CAPACITY);
     b.mesh.max_nt = b.mesh.nt + 2;
     b.mesh.max_nv = b.mesh.nv;
-    CHECK_EQUAL(nook_split_edge(&b.mesh, 0, nook_make(0, 0, 0)), NOOK_NO_CAPACITY);
+    CHECK_EQUAL(nook_split_edge(&b.mesh, 0, nook_make(0, 0, 0), NULL), NOOK_NO_CAPACITY);
     shapes[11].build(); /* two triangles back to back */
     CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
-    CHECK_EQUAL(nook_split_edge(&b.mesh, 0, nook_make(0, 0, 0)), NOOK_DUPLICATE_TRIANGLE);
+    CHECK_EQUAL(nook_split_edge(&b.mesh, 0, nook_make(0, 0, 0), NULL), NOOK_DUPLICATE_TRIANGLE);
     CHECK_EQUAL(nook_collapse(&b.mesh, 0, nook_make(0, 0, 0), NULL), NOOK_DUPLICATE_TRIANGLE);
-    CHECK_EQUAL(nook_flip(&b.mesh, 0), NOOK_DUPLICATE_EDGE);
+    CHECK_EQUAL(nook_flip(&b.mesh, 0, NULL), NOOK_DUPLICATE_EDGE);
 }
 
 /* ---- all triangulations of the sphere -------------------------------------------------------------------- */
@@ -369,13 +369,14 @@ static void flips_reach_all_triangulations_of_the_sphere(void) {
         uint32_t found = 1, next;
         tetrahedron();
         CHECK_EQUAL(nook_link(&b.mesh, NULL, NULL, NULL, &b.report, NULL), NOOK_OK);
-        while (b.mesh.nv < nv) CHECK_EQUAL(nook_split_triangle(&b.mesh, 0, nook_make(0, 0, 0)), NOOK_OK);
+        while (b.mesh.nv < nv)
+            CHECK_EQUAL(nook_split_triangle(&b.mesh, 0, nook_make(0, 0, 0), NULL), NOOK_OK);
         known[0] = canonical();
         for (next = 0; next < found && found < 60; next++) {
             for (c = 0; c < 3 * (2 * nv - 4); c++) {
                 code k;
                 build_from(&known[next], nv);
-                if (nook_flip(&b.mesh, c) != NOOK_OK) continue;
+                if (nook_flip(&b.mesh, c, NULL) != NOOK_OK) continue;
                 k = canonical();
                 for (i = 0; i < found && memcmp(&k, &known[i], sizeof k) != 0; i++) {
                 }
@@ -400,9 +401,9 @@ static void thousands_of_mixed_edits_keep_a_mesh_whole(void) {
         for (step = 0; step < steps && !test_has_failed(); step++) {
             uint32_t c = throw_dice(&d, 3 * b.mesh.nt), what = throw_dice(&d, 5);
             nook_point at = nook_make((float)step, 0, 0);
-            nook_status status = what == 0   ? nook_flip(&b.mesh, c)
-                                 : what == 1 ? nook_split_triangle(&b.mesh, c / 3, at)
-                                 : what == 2 ? nook_split_edge(&b.mesh, c, at)
+            nook_status status = what == 0   ? nook_flip(&b.mesh, c, NULL)
+                                 : what == 1 ? nook_split_triangle(&b.mesh, c / 3, at, NULL)
+                                 : what == 2 ? nook_split_edge(&b.mesh, c, at, NULL)
                                  : what == 3 ? nook_collapse(&b.mesh, c, at, NULL)
                                              : nook_remove_vertex(&b.mesh, b.mesh.V[c], NULL);
             CHECK(status != NOOK_BAD_OPPOSITE);
@@ -428,9 +429,9 @@ static void spoiled_tables_are_refused(void) {
                 b.mesh.O[c] = good;
                 continue;
             }
-            CHECK_EQUAL(nook_flip(&b.mesh, c), NOOK_BAD_OPPOSITE);
-            CHECK_EQUAL(nook_split_edge(&b.mesh, c, nook_make(0, 0, 0)), NOOK_BAD_OPPOSITE);
-            CHECK_EQUAL(nook_split_triangle(&b.mesh, c / 3, nook_make(0, 0, 0)), NOOK_BAD_OPPOSITE);
+            CHECK_EQUAL(nook_flip(&b.mesh, c, NULL), NOOK_BAD_OPPOSITE);
+            CHECK_EQUAL(nook_split_edge(&b.mesh, c, nook_make(0, 0, 0), NULL), NOOK_BAD_OPPOSITE);
+            CHECK_EQUAL(nook_split_triangle(&b.mesh, c / 3, nook_make(0, 0, 0), NULL), NOOK_BAD_OPPOSITE);
             CHECK_EQUAL(nook_collapse(&b.mesh, c, nook_make(0, 0, 0), NULL), NOOK_BAD_OPPOSITE);
             is_as_kept();
             b.mesh.O[c] = good;
@@ -440,11 +441,11 @@ static void spoiled_tables_are_refused(void) {
 
 /* Any entry of any table another one: whatever the operators say, they end, and write nothing when they refuse. */
 static nook_status edit_anyhow(uint32_t what, uint32_t c) {
-    static const nook_renamer deaf = {NULL, NULL};
+    static const nook_edit deaf = {0};
     nook_point at = nook_make(0, 0, 0);
-    return what == 0   ? nook_flip(&b.mesh, c)
-           : what == 1 ? nook_split_triangle(&b.mesh, c / 3, at)
-           : what == 2 ? nook_split_edge(&b.mesh, c, at)
+    return what == 0   ? nook_flip(&b.mesh, c, NULL)
+           : what == 1 ? nook_split_triangle(&b.mesh, c / 3, at, NULL)
+           : what == 2 ? nook_split_edge(&b.mesh, c, at, NULL)
            : what == 3 ? nook_collapse(&b.mesh, c, at, &deaf)
                        : nook_remove_vertex(&b.mesh, c % b.mesh.nv, NULL);
 }
@@ -468,7 +469,7 @@ static void any_spoiled_entry_ends_well(void) {
     uint32_t k, i, value, step = NOOK_TEST_RAM < 2000000 ? 7 : 1;
     for (k = 1; k < 3; k++) {
         if (!begin(k)) continue;
-        if (k == 1) CHECK_EQUAL(nook_split_triangle(&b.mesh, 1, nook_make(3, 3, 3)), NOOK_OK);
+        if (k == 1) CHECK_EQUAL(nook_split_triangle(&b.mesh, 1, nook_make(3, 3, 3), NULL), NOOK_OK);
         b.mesh.nv++; /* and a vertex of no triangle, which is the last */
         b.mesh.C[b.mesh.nv - 1] = NOOK_STORED_NONE;
         for (value = 0; value <= 3 * b.mesh.nt + 1; value += step) {

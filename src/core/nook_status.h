@@ -40,9 +40,13 @@ typedef enum nook_status {
     NOOK_FOLDED_EDGE, /* its two triangles are in one plane, one back upon the other. where: the corner */
 
     /* An edit that would spoil the mesh, and is refused. */
-    NOOK_DUPLICATE_EDGE, /* two vertices would be joined twice */
-    NOOK_WRONG_VALENCE,  /* the vertex has another number of triangles than the operator asks for */
-    NOOK_LAST_TRIANGLE,  /* nothing would be left to hold on to */
+    NOOK_DUPLICATE_EDGE,     /* two vertices would be joined twice */
+    NOOK_WRONG_VALENCE,      /* the vertex has another number of triangles than the operator asks for */
+    NOOK_LAST_TRIANGLE,      /* nothing would be left to hold on to */
+    NOOK_INTERIOR_EDGE,      /* an edge of two triangles where one of the border is required */
+    NOOK_INTERIOR_VERTEX,    /* a vertex that is not at a border, where one that is is required */
+    NOOK_TOO_MANY_TRIANGLES, /* a vertex would come to have more triangles than the limit */
+    NOOK_TURNED_TRIANGLE,    /* a triangle would turn over, or lose its area */
 
     /* Bytes that cannot be read. where: the byte, or the line of a text format */
     NOOK_BAD_NUMBER,     /* not a decimal number */

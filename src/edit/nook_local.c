@@ -1,111 +1,31 @@
 /* nook_local.c -- the operators of nook_local.h. Everything is read before anything is written. */
 #include "edit/nook_local.h"
 
-/* ---- looking -------------------------------------------------------------------------------------- */
+#include "edit/nook_inner.h"
 
-/* The corner across, or NOOK_NONE at a border and where O names none. */
-static uint32_t across(const nook_mesh *m, uint32_t c) {
-    return m->O[c] == c || m->O[c] >= 3u * m->max_nt ? NOOK_NONE : m->O[c];
-}
-
-/* Whether c is a corner, and its triangle's tables lead to corners and vertices that exist. */
-static nook_status triangle_status(const nook_mesh *m, uint32_t c) {
-    uint32_t i;
-    if (c >= 3u * m->nt) return NOOK_INDEX_OUT_OF_RANGE;
-    for (i = 0; i < 3u; i++, c = nook_next(c)) {
-        if (m->O[c] >= 3u * m->nt || m->O[m->O[c]] != c || m->V[c] >= m->nv) return NOOK_BAD_OPPOSITE;
-    }
-    return NOOK_OK;
-}
-
-/* The same of both triangles at the edge of c. */
+/* The status of both triangles at the edge of c. */
 static nook_status edge_status(const nook_mesh *m, uint32_t c) {
-    nook_status status = triangle_status(m, c);
-    return status != NOOK_OK ? status : triangle_status(m, m->O[c]);
+    nook_status status = nook_triangle_status(m, c);
+    return status != NOOK_OK ? status : nook_triangle_status(m, m->O[c]);
 }
 
-/* The neighbours of a vertex one by one; at the end of an open fan the last vertex. */
-typedef struct ring {
-    nook_star star;
-    uint32_t c;
-} ring;
+static const nook_point *point_of(const nook_mesh *m, uint32_t c) { return &m->G[m->V[c]]; }
 
-static nook_status begin_ring(ring *r, const nook_view *m, uint32_t c) {
-    r->c = NOOK_NONE;
-    return nook_star_begin(&r->star, m, c, false);
-}
-
-static uint32_t next_of_ring(ring *r) {
-    uint32_t last = r->c;
-    r->c = nook_star_next(&r->star);
-    if (r->c != NOOK_NONE) return r->star.view->V[nook_next(r->c)];
-    return last != NOOK_NONE && r->star.open ? r->star.view->V[nook_prev(last)] : NOOK_NONE;
-}
-
-/* Whether v(c) and v are joined by an edge of the fan of c. */
-static bool is_joined(const nook_view *m, uint32_t c, uint32_t v) {
-    ring r;
-    uint32_t w = NOOK_NONE;
-    if (begin_ring(&r, m, c) != NOOK_OK) return true;
-    do {
-        w = next_of_ring(&r);
-    } while (w != NOOK_NONE && w != v);
-    return w == v;
-}
-
-/* ---- changing -------------------------------------------------------------------------------------- */
-
-static void join(nook_mesh *m, uint32_t c, uint32_t o) {
-    m->O[c] = nook_store(o == NOOK_NONE ? c : o);
-    if (o != NOOK_NONE) m->O[o] = nook_store(c);
-}
-
-static void set_triangle(nook_mesh *m, uint32_t t, uint32_t v0, uint32_t v1, uint32_t v2) {
-    m->V[3u * t] = nook_store(v0);
-    m->V[3u * t + 1u] = nook_store(v1);
-    m->V[3u * t + 2u] = nook_store(v2);
-}
-
-static void tell(const nook_renamer *renamer, nook_kind kind, uint32_t from, uint32_t to) {
-    if (renamer != NULL && renamer->renamed != NULL) renamer->renamed(renamer->user, kind, from, to);
-}
-
-/* Triangle t is joined to nothing any more: the last one takes its number. */
-static void drop_triangle(nook_mesh *m, uint32_t t, const nook_renamer *renamer) {
-    uint32_t last = --m->nt, i;
-    if (t == last) return;
-    for (i = 0; i < 3u; i++) {
-        uint32_t from = 3u * last + i, to = 3u * t + i, v = m->V[from];
-        m->V[to] = nook_store(v);
-        join(m, to, across(m, from));
-        if (v < m->nv && m->C[v] == from) m->C[v] = nook_store(to);
-    }
-    tell(renamer, NOOK_AT_TRIANGLE, last, t);
-}
-
-/* Vertex v has no triangle any more: the last one takes its number. */
-static void drop_vertex(nook_mesh *m, uint32_t v, const nook_renamer *renamer) {
-    nook_view view = nook_view_of(m);
-    uint32_t last = --m->nv, c;
-    nook_star star;
-    if (v == last) return;
-    m->G[v] = m->G[last];
-    m->C[v] = m->C[last];
-    /* Each is renamed when the star has gone on from it. */
-    if (nook_star_begin(&star, &view, m->C[v], false) == NOOK_OK) { /* else a vertex of no triangle */
-        while ((c = nook_star_next(&star)) != NOOK_NONE) m->V[c] = nook_store(v);
-    }
-    tell(renamer, NOOK_AT_VERTEX, last, v);
-}
-
-static void drop_triangles(nook_mesh *m, uint32_t t, uint32_t u, const nook_renamer *renamer) {
-    drop_triangle(m, t > u ? t : u, renamer); /* the other is not the last that moves */
-    drop_triangle(m, t > u ? u : t, renamer);
+/* Room for vertices and triangles. */
+static bool has_capacity(const nook_mesh *m, uint32_t vertices, uint32_t triangles) {
+    return m->max_nv - m->nv >= vertices && m->max_nt - m->nt >= triangles;
 }
 
 /* ---- flip and splits ------------------------------------------------------------------------------- */
 
-nook_status nook_flip(nook_mesh *m, uint32_t c) {
+/* Both triangles to be, seen along the normal of the quadrilateral A B D C. */
+static bool flip_turns(const nook_mesh *m, uint32_t c, uint32_t o, const nook_edit *edit) {
+    const nook_point *const p[4] = {point_of(m, c), point_of(m, nook_next(c)), point_of(m, o),
+                                    point_of(m, nook_prev(c))};
+    return nook_is_turned(edit, p[0], p[1], p[2], p) || nook_is_turned(edit, p[0], p[2], p[3], p);
+}
+
+nook_status nook_flip(nook_mesh *m, uint32_t c, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     nook_status status = edge_status(m, c);
     uint32_t o, x, y, b, d, n;
@@ -113,70 +33,263 @@ nook_status nook_flip(nook_mesh *m, uint32_t c) {
     if (m->O[c] == c) return NOOK_BORDER_EDGE;
     o = m->O[c];
     n = m->V[nook_prev(c)], b = m->V[nook_prev(o)], d = m->V[o];
-    if (d == m->V[c] || is_joined(&view, c, d)) return NOOK_DUPLICATE_EDGE;
-    x = across(m, nook_next(o));
-    y = across(m, nook_next(c));
+    if (!nook_has_room(&view, c, 1, edit) || !nook_has_room(&view, o, 1, edit))
+        return NOOK_TOO_MANY_TRIANGLES;
+    if (d == m->V[c] || nook_is_joined(&view, c, d)) return NOOK_DUPLICATE_EDGE;
+    if (flip_turns(m, c, o, edit)) return NOOK_TURNED_TRIANGLE;
+    x = nook_across(m, nook_next(o));
+    y = nook_across(m, nook_next(c));
     m->V[nook_prev(c)] = nook_store(d);
     m->V[nook_prev(o)] = m->V[c];
-    join(m, c, x);
-    join(m, o, y);
-    join(m, nook_next(c), nook_next(o));
+    nook_copy_attributes(edit, nook_prev(c), o);
+    nook_copy_attributes(edit, nook_prev(o), c);
+    nook_join(m, c, x);
+    nook_join(m, o, y);
+    nook_join(m, nook_next(c), nook_next(o));
     m->C[n] = nook_store(nook_next(o));
     m->C[b] = nook_store(nook_next(c));
     return NOOK_OK;
 }
 
-nook_status nook_split_triangle(nook_mesh *m, uint32_t t, nook_point at) {
-    nook_status status = triangle_status(m, 3u * t);
-    uint32_t c = 3u * t, q = 3u * m->nt, r = q + 3u, v = m->nv, a, second, third;
+/* Whether corner c can be moved to at; of its triangle alone. */
+static bool corner_turns(const nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
+    nook_move move = {{m->V[c], NOOK_NONE}, {at, at}};
+    return nook_move_turns(m, nook_triangle(c), &move, edit);
+}
+
+static nook_status split_triangle_status(const nook_mesh *m, uint32_t t, nook_point at,
+                                         const nook_edit *edit) {
+    nook_view view = nook_view_of(m);
+    nook_status status;
+    uint32_t c;
     if (t >= m->nt) return NOOK_INDEX_OUT_OF_RANGE;
+    status = nook_triangle_status(m, 3u * t);
     if (status != NOOK_OK) return status;
-    if (m->nv == m->max_nv || m->max_nt - m->nt < 2u) return NOOK_NO_CAPACITY;
+    if (!has_capacity(m, 1, 2)) return NOOK_NO_CAPACITY;
+    for (c = 3u * t; c < 3u * t + 3u; c++) {
+        if (!nook_has_room(&view, c, 1, edit)) return NOOK_TOO_MANY_TRIANGLES;
+        if (corner_turns(m, c, at, edit)) return NOOK_TURNED_TRIANGLE;
+    }
+    return NOOK_OK;
+}
+
+nook_status nook_split_triangle(nook_mesh *m, uint32_t t, nook_point at, const nook_edit *edit) {
+    nook_status status = split_triangle_status(m, t, at, edit);
+    uint32_t c = 3u * t, q = 3u * m->nt, r = q + 3u, v = m->nv, a, second, third;
+    nook_point corners[3];
+    float w[3];
+    if (status != NOOK_OK) return status;
+    for (a = 0; a < 3u; a++) corners[a] = *point_of(m, c + a);
+    nook_barycentric(corners, at, w);
     a = m->V[c];
-    second = across(m, c + 1u);
-    third = across(m, c + 2u);
-    set_triangle(m, m->nt, v, m->V[c + 2u], a);
-    set_triangle(m, m->nt + 1u, v, a, m->V[c + 1u]);
+    second = nook_across(m, c + 1u);
+    third = nook_across(m, c + 2u);
+    nook_set_triangle(m, m->nt, v, m->V[c + 2u], a);
+    nook_set_triangle(m, m->nt + 1u, v, a, m->V[c + 1u]);
+    nook_blend_attributes(edit, q, c, w);
+    nook_copy_attributes(edit, q + 1u, c + 2u);
+    nook_copy_attributes(edit, q + 2u, c);
+    nook_copy_attributes(edit, r, q);
+    nook_copy_attributes(edit, r + 1u, c);
+    nook_copy_attributes(edit, r + 2u, c + 1u);
+    nook_copy_attributes(edit, c, q);
+    nook_copy_color(edit, m->nt, t);
+    nook_copy_color(edit, m->nt + 1u, t);
     m->V[c] = nook_store(v);
     m->nt += 2u;
-    m->nv++;
-    join(m, q, second);
-    join(m, r, third);
-    join(m, c + 1u, q + 2u);
-    join(m, c + 2u, r + 1u);
-    join(m, q + 1u, r + 2u);
-    m->G[v] = at;
-    m->C[v] = nook_store(c);
+    nook_join(m, q, second);
+    nook_join(m, r, third);
+    nook_join(m, c + 1u, q + 2u);
+    nook_join(m, c + 2u, r + 1u);
+    nook_join(m, q + 1u, r + 2u);
+    nook_add_vertex(m, at, c);
     m->C[a] = nook_store(q + 2u);
     return NOOK_OK;
 }
 
-nook_status nook_split_edge(nook_mesh *m, uint32_t c, nook_point at) {
+/* How far from B to C the foot of a point is, from 0 to 1; a half if they are in one place. */
+static float along(const nook_mesh *m, uint32_t b, uint32_t c, nook_point at) {
+    nook_point edge = nook_sub(*point_of(m, c), *point_of(m, b)), to = nook_sub(at, *point_of(m, b));
+    float scale = nook_power_of_two(254u - nook_exponent(nook_length(edge))), square, s;
+    edge = nook_scaled(edge, scale);
+    square = nook_dot(edge, edge);
+    s = nook_dot(edge, nook_scaled(to, scale)) / square;
+    if (!(square > 0)) return 0.5f;
+    return s < 0 ? 0 : s > 1 ? 1 : s;
+}
+
+static nook_status split_edge_status(const nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
+    nook_view view = nook_view_of(m);
     nook_status status = edge_status(m, c);
-    uint32_t o, q = 3u * m->nt, r = q + 3u, v = m->nv, end, y, z;
+    uint32_t o, side;
     if (status != NOOK_OK) return status;
-    o = across(m, c);
+    o = nook_across(m, c);
     if (o != NOOK_NONE && m->V[o] == m->V[c]) return NOOK_DUPLICATE_TRIANGLE;
-    if (m->nv == m->max_nv || m->max_nt - m->nt < (o == NOOK_NONE ? 1u : 2u)) return NOOK_NO_CAPACITY;
-    end = m->V[nook_prev(c)];
-    y = across(m, nook_next(c));
-    set_triangle(m, m->nt++, m->V[c], v, end);
-    m->V[nook_prev(c)] = nook_store(v);
-    join(m, q + 1u, y);
-    join(m, nook_next(c), q + 2u);
-    join(m, q, NOOK_NONE);
-    if (o != NOOK_NONE) {
-        z = across(m, nook_prev(o));
-        set_triangle(m, m->nt++, m->V[o], end, v);
-        m->V[nook_next(o)] = nook_store(v);
-        join(m, r + 2u, z);
-        join(m, nook_prev(o), r + 1u);
-        join(m, q, r);
+    if (!has_capacity(m, 1, o == NOOK_NONE ? 1 : 2)) return NOOK_NO_CAPACITY;
+    for (side = 0; side < (o == NOOK_NONE ? 1u : 2u); side++) {
+        uint32_t x = side == 0 ? c : o;
+        if (!nook_has_room(&view, x, 1, edit)) return NOOK_TOO_MANY_TRIANGLES;
+        if (corner_turns(m, nook_next(x), at, edit)) return NOOK_TURNED_TRIANGLE;
+        if (corner_turns(m, nook_prev(x), at, edit)) return NOOK_TURNED_TRIANGLE;
     }
-    m->nv++;
-    m->G[v] = at;
-    m->C[v] = nook_store(nook_prev(c));
+    return NOOK_OK;
+}
+
+nook_status nook_split_edge(nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
+    nook_status status = split_edge_status(m, c, at, edit);
+    uint32_t o, q = 3u * m->nt, r = q + 3u, v = m->nv, end, y, z;
+    float w[3] = {0, 0, 0};
+    if (status != NOOK_OK) return status;
+    o = nook_across(m, c);
+    end = m->V[nook_prev(c)];
+    y = nook_across(m, nook_next(c));
+    w[2] = along(m, nook_next(c), nook_prev(c), at);
+    w[1] = 1.0f - w[2];
+    nook_set_triangle(m, m->nt, m->V[c], v, end);
+    nook_copy_attributes(edit, q, c);
+    nook_blend_attributes(edit, q + 1u, c, w);
+    nook_copy_attributes(edit, q + 2u, nook_prev(c));
+    nook_copy_attributes(edit, nook_prev(c), q + 1u);
+    nook_copy_color(edit, m->nt++, nook_triangle(c));
+    m->V[nook_prev(c)] = nook_store(v);
+    nook_join(m, q + 1u, y);
+    nook_join(m, nook_next(c), q + 2u);
+    nook_join(m, q, NOOK_NONE);
+    if (o != NOOK_NONE) {
+        z = nook_across(m, nook_prev(o));
+        w[1] = w[2], w[2] = 1.0f - w[1];
+        nook_set_triangle(m, m->nt, m->V[o], end, v);
+        nook_copy_attributes(edit, r, o);
+        nook_copy_attributes(edit, r + 1u, nook_next(o));
+        nook_blend_attributes(edit, r + 2u, o, w);
+        nook_copy_attributes(edit, nook_next(o), r + 2u);
+        nook_copy_color(edit, m->nt++, nook_triangle(o));
+        m->V[nook_next(o)] = nook_store(v);
+        nook_join(m, r + 2u, z);
+        nook_join(m, nook_prev(o), r + 1u);
+        nook_join(m, q, r);
+    }
+    nook_add_vertex(m, at, nook_prev(c));
     m->C[end] = nook_store(q + 2u);
+    return NOOK_OK;
+}
+
+/* ---- split of a vertex ----------------------------------------------------------------------------- */
+
+/* The triangles that change hands: those from corner first on, counter-clockwise, n of them. */
+typedef struct sector {
+    uint32_t first, last, n;
+} sector;
+
+/* Turn about v(*c) to the end of an open fan; false where it comes round. */
+static bool turn_to_border(const nook_view *m, uint32_t *c) {
+    uint32_t left = m->nt, x;
+    while (left-- > 0 && (x = nook_turn(m, *c, true)) != NOOK_NONE) *c = x;
+    return nook_turn(m, *c, true) == NOOK_NONE;
+}
+
+static nook_status find_sector(const nook_mesh *m, uint32_t c, uint32_t d, sector *s) {
+    nook_view view = nook_view_of(m);
+    nook_status status = c == NOOK_NONE ? NOOK_OK : nook_triangle_status(m, c);
+    uint32_t x;
+    if (status == NOOK_OK && (d != NOOK_NONE || c == NOOK_NONE)) status = nook_triangle_status(m, d);
+    if (status != NOOK_OK) return status;
+    s->first = c != NOOK_NONE ? nook_next(c) : nook_prev(d);
+    s->last = d != NOOK_NONE ? nook_prev(d) : NOOK_NONE;
+    if (c == NOOK_NONE && !turn_to_border(&view, &s->first)) return NOOK_INTERIOR_VERTEX;
+    for (s->n = 1, x = s->first; x != s->last; s->n++) {
+        uint32_t turned = nook_turn(&view, x, false);
+        if (turned == NOOK_NONE && d == NOOK_NONE) break;
+        if (turned == NOOK_NONE || s->n >= m->nt) return NOOK_NONMANIFOLD_VERTEX;
+        if (turned == s->first) return d == NOOK_NONE ? NOOK_INTERIOR_VERTEX : NOOK_NONMANIFOLD_VERTEX;
+        x = turned;
+    }
+    s->last = x;
+    return nook_turn(&view, x, false) == s->first ? NOOK_DUPLICATE_TRIANGLE : NOOK_OK;
+}
+
+/* A new triangle v w x at corner c of the sector, which faces the edge of v(k) and x. */
+static bool wedge_turns(const nook_mesh *m, uint32_t c, uint32_t k, uint32_t x, nook_point at,
+                        const nook_edit *edit) {
+    uint32_t i, y = nook_across(m, c);
+    const nook_point *const v = point_of(m, k), *const w = &at;
+    bool first = k == nook_next(c);
+    for (i = 0; i < 2u && !(i == 1 && y == NOOK_NONE); i++, c = y) {
+        const nook_point *const old[4] = {point_of(m, c), point_of(m, nook_next(c)),
+                                          point_of(m, nook_prev(c)), point_of(m, nook_prev(c))};
+        if (nook_is_turned(edit, point_of(m, x), first ? w : v, first ? v : w, old)) return true;
+    }
+    return false;
+}
+
+static nook_status split_vertex_status(const nook_mesh *m, uint32_t c, uint32_t d, nook_point at,
+                                       const nook_edit *edit, sector *s) {
+    nook_view view = nook_view_of(m);
+    nook_status status = find_sector(m, c, d, s);
+    uint32_t x, more = (uint32_t)(c != NOOK_NONE) + (uint32_t)(d != NOOK_NONE), n;
+    nook_move move = {{NOOK_NONE, NOOK_NONE}, {at, at}};
+    if (status != NOOK_OK) return status;
+    if (!has_capacity(m, 1, more)) return NOOK_NO_CAPACITY;
+    if (edit == NULL) return NOOK_OK;
+    if (edit->max_valence != 0) {
+        n = nook_valence(&view, s->first);
+        if (s->n + more > edit->max_valence || n - s->n + more > edit->max_valence)
+            return NOOK_TOO_MANY_TRIANGLES;
+        if (c != NOOK_NONE && !nook_has_room(&view, nook_prev(c), 1, edit)) return NOOK_TOO_MANY_TRIANGLES;
+        if (d != NOOK_NONE && !nook_has_room(&view, nook_next(d), 1, edit)) return NOOK_TOO_MANY_TRIANGLES;
+    }
+    if (!edit->no_turn) return NOOK_OK;
+    move.v[0] = m->V[s->first];
+    for (x = s->first, n = s->n; n-- > 0; x = nook_turn(&view, x, false)) {
+        if (nook_move_turns(m, nook_triangle(x), &move, edit)) return NOOK_TURNED_TRIANGLE;
+    }
+    if (c != NOOK_NONE && wedge_turns(m, c, nook_next(c), nook_prev(c), at, edit))
+        return NOOK_TURNED_TRIANGLE;
+    if (d != NOOK_NONE && wedge_turns(m, d, nook_prev(d), nook_next(d), at, edit))
+        return NOOK_TURNED_TRIANGLE;
+    return NOOK_OK;
+}
+
+nook_status nook_split_vertex(nook_mesh *m, uint32_t c, uint32_t d, nook_point at, const nook_edit *edit) {
+    nook_view view = nook_view_of(m);
+    sector s;
+    nook_status status = split_vertex_status(m, c, d, at, edit, &s);
+    uint32_t x, next, w = m->nv, v, open, across;
+    if (status != NOOK_OK) return status;
+    v = m->V[s.first];
+    for (x = s.first; s.n-- > 0; x = next) {
+        next = nook_turn(&view, x, false);
+        m->V[x] = nook_store(w);
+    }
+    nook_add_vertex(m, at, s.first);
+    open = NOOK_NONE; /* the corner that faces the new edge, until its other side is there */
+    if (c != NOOK_NONE) {
+        x = 3u * m->nt;
+        across = nook_across(m, c);
+        nook_set_triangle(m, m->nt, m->V[nook_prev(c)], w, v);
+        nook_copy_attributes(edit, x, nook_prev(c));
+        nook_copy_attributes(edit, x + 1u, nook_next(c));
+        nook_copy_attributes(edit, x + 2u, nook_next(c));
+        nook_copy_color(edit, m->nt++, nook_triangle(c));
+        nook_join(m, x + 1u, across);
+        nook_join(m, x + 2u, c);
+        nook_join(m, x, NOOK_NONE);
+        m->C[v] = nook_store(x + 2u);
+        open = x;
+    }
+    if (d != NOOK_NONE) {
+        x = 3u * m->nt;
+        across = nook_across(m, d);
+        nook_set_triangle(m, m->nt, w, m->V[nook_next(d)], v);
+        nook_copy_attributes(edit, x, nook_prev(d));
+        nook_copy_attributes(edit, x + 1u, nook_next(d));
+        nook_copy_attributes(edit, x + 2u, nook_prev(d));
+        nook_copy_color(edit, m->nt++, nook_triangle(d));
+        nook_join(m, x, across);
+        nook_join(m, x + 2u, d);
+        nook_join(m, x + 1u, open);
+        m->C[v] = nook_store(x + 2u);
+    }
     return NOOK_OK;
 }
 
@@ -184,100 +297,164 @@ nook_status nook_split_edge(nook_mesh *m, uint32_t c, nook_point at) {
 
 /* How many neighbours B and C have in common, from their corners at the edge. */
 static uint32_t count_common(const nook_view *m, uint32_t b, uint32_t c) {
-    ring one, other;
+    nook_ring one, other;
     uint32_t n = 0, v, w;
-    if (begin_ring(&one, m, b) != NOOK_OK) return NOOK_NONE;
-    while ((v = next_of_ring(&one)) != NOOK_NONE) {
-        if (begin_ring(&other, m, c) != NOOK_OK) return NOOK_NONE;
-        while ((w = next_of_ring(&other)) != NOOK_NONE) n += v == w;
+    if (nook_ring_begin(&one, m, b) != NOOK_OK) return NOOK_NONE;
+    while ((v = nook_ring_next(&one)) != NOOK_NONE) {
+        if (nook_ring_begin(&other, m, c) != NOOK_OK) return NOOK_NONE;
+        while ((w = nook_ring_next(&other)) != NOOK_NONE) n += v == w;
     }
     return n;
-}
-
-static bool is_at_border(const nook_view *m, uint32_t c) {
-    nook_star star;
-    return nook_star_begin(&star, m, c, false) == NOOK_OK && star.open;
 }
 
 /* Vertex v of the triangle across corner x; NOOK_NONE at a border. */
 static uint32_t apex(const nook_mesh *m, uint32_t x) { return m->O[x] == x ? NOOK_NONE : m->V[m->O[x]]; }
 
-static nook_status collapse_status(const nook_mesh *m, uint32_t c) {
+/* The fans of B and C less the triangles at the edge. */
+static bool has_room_for_both(const nook_view *m, uint32_t c, const nook_edit *edit) {
+    uint32_t all;
+    if (edit == NULL || edit->max_valence == 0) return true;
+    all = nook_count_fan(m, nook_next(c), edit) + nook_count_fan(m, nook_prev(c), edit);
+    return all - (nook_is_border(m, c) ? 2u : 4u) <= edit->max_valence;
+}
+
+static nook_status collapse_status(const nook_mesh *m, uint32_t c, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     nook_status status = edge_status(m, c);
     uint32_t o, n = nook_next(c), p = nook_prev(c), common;
     if (status != NOOK_OK) return status;
-    o = across(m, c);
+    if (!has_room_for_both(&view, c, edit)) return NOOK_TOO_MANY_TRIANGLES;
+    o = nook_across(m, c);
     if (o == NOOK_NONE) {
-        if (across(m, n) == NOOK_NONE && across(m, p) == NOOK_NONE) return NOOK_LAST_TRIANGLE;
+        if (nook_across(m, n) == NOOK_NONE && nook_across(m, p) == NOOK_NONE) return NOOK_LAST_TRIANGLE;
     } else {
         if (m->V[o] == m->V[c]) return NOOK_DUPLICATE_TRIANGLE;
         if (apex(m, n) == m->V[o] && apex(m, p) == m->V[o]) return NOOK_DUPLICATE_TRIANGLE;
-        if (is_at_border(&view, n) && is_at_border(&view, p)) return NOOK_NONMANIFOLD_VERTEX;
+        if (nook_is_at_border(&view, n) && nook_is_at_border(&view, p)) return NOOK_NONMANIFOLD_VERTEX;
     }
     common = count_common(&view, n, p);
     if (common == NOOK_NONE) return NOOK_BAD_OPPOSITE;
     return common == (o == NOOK_NONE ? 1u : 2u) ? NOOK_OK : NOOK_DUPLICATE_EDGE;
 }
 
+static bool collapse_turns(const nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
+    nook_move move = {{m->V[nook_next(c)], m->V[nook_prev(c)]}, {at, at}};
+    uint32_t t = nook_triangle(c), u = nook_triangle(m->O[c]);
+    return nook_move_turns_fan(m, nook_next(c), &move, t, u, edit) ||
+           nook_move_turns_fan(m, nook_prev(c), &move, t, u, edit);
+}
+
+/* Attributes at the point to be, by triangle at the edge, are left at the corners c and o, which go. Where B or C had
+ * those of that triangle, they become these; beyond a crease they stay. */
+static void merge_attributes(nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
+    nook_view view = nook_view_of(m);
+    uint32_t o = nook_across(m, c), end, x;
+    float s = along(m, nook_next(c), nook_prev(c), at), w[3] = {0, 1.0f - s, s}, v[3] = {0, s, 1.0f - s};
+    if (edit == NULL || edit->attributes == NULL) return;
+    nook_blend_attributes(edit, c, c, w);
+    if (o != NOOK_NONE) nook_blend_attributes(edit, o, o, v);
+    for (end = 0; end < 2u; end++) {
+        uint32_t here = end == 0 ? nook_next(c) : nook_prev(c),
+                 there = end == 0 ? nook_prev(o) : nook_next(o);
+        nook_star star;
+        (void)nook_star_begin(&star, &view, here, false);
+        while ((x = nook_star_next(&star)) != NOOK_NONE) {
+            if (x == here || x == there) continue;
+            if (nook_same_attributes(edit, x, here)) {
+                nook_copy_attributes(edit, x, c);
+            } else if (o != NOOK_NONE && nook_same_attributes(edit, x, there)) {
+                nook_copy_attributes(edit, x, o);
+            }
+        }
+    }
+}
+
 /* The triangle of c goes: its two other neighbours become neighbours of each other, and its vertices, of which v(n(c))
  * is called by its new name by now, get corners there. */
 static void close_gap(nook_mesh *m, uint32_t c) {
     nook_view view = nook_view_of(m);
-    uint32_t y = across(m, nook_next(c)), z = across(m, nook_prev(c)), stays = y != NOOK_NONE ? y : z;
+    uint32_t y = nook_across(m, nook_next(c)), z = nook_across(m, nook_prev(c)),
+             stays = y != NOOK_NONE ? y : z;
     uint32_t a = m->V[c], v = m->V[nook_prev(c)];
-    if (y != NOOK_NONE) join(m, y, z);
-    if (y == NOOK_NONE) join(m, z, NOOK_NONE);
+    if (y != NOOK_NONE) nook_join(m, y, z);
+    if (y == NOOK_NONE) nook_join(m, z, NOOK_NONE);
     m->C[a] = nook_store(nook_corner_in(&view, nook_triangle(stays), a));
     m->C[v] = nook_store(nook_corner_in(&view, nook_triangle(stays), v));
 }
 
-nook_status nook_collapse(nook_mesh *m, uint32_t c, nook_point at, const nook_renamer *renamer) {
-    nook_view view = nook_view_of(m);
-    nook_status status = collapse_status(m, c);
-    uint32_t o, gone, kept, x;
-    nook_star star;
+nook_status nook_collapse(nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
+    nook_status status = collapse_status(m, c, edit);
+    uint32_t o, gone, kept;
     if (status != NOOK_OK) return status;
-    o = across(m, c);
+    if (collapse_turns(m, c, at, edit)) return NOOK_TURNED_TRIANGLE;
+    o = nook_across(m, c);
     gone = m->V[nook_next(c)];
     kept = m->V[nook_prev(c)];
-    (void)nook_star_begin(&star, &view, nook_next(c), false);
-    while ((x = nook_star_next(&star)) != NOOK_NONE) m->V[x] = nook_store(kept);
+    merge_attributes(m, c, at, edit);
+    nook_rename_fan(m, nook_next(c), kept);
     close_gap(m, c);
     if (o != NOOK_NONE) close_gap(m, o);
     m->G[kept] = at;
     if (o != NOOK_NONE) {
-        drop_triangles(m, nook_triangle(c), nook_triangle(o), renamer);
+        nook_drop_triangles(m, nook_triangle(c), nook_triangle(o), edit);
     } else {
-        drop_triangle(m, nook_triangle(c), renamer);
+        nook_drop_triangle(m, nook_triangle(c), edit);
     }
-    drop_vertex(m, gone, renamer);
+    nook_drop_vertex(m, gone, edit);
     return NOOK_OK;
 }
 
-nook_status nook_remove_vertex(nook_mesh *m, uint32_t v, const nook_renamer *renamer) {
+/* The four triangles around v(c), or two at a border. */
+nook_status nook_merge_edges(nook_mesh *m, uint32_t c, const nook_edit *edit) {
+    nook_view view = nook_view_of(m);
+    nook_status status = nook_triangle_status(m, c);
+    bool open;
+    if (status != NOOK_OK) return status;
+    open = nook_is_at_border(&view, c);
+    if (nook_valence(&view, c) != (open ? 2u : 4u)) return NOOK_WRONG_VALENCE;
+    if (open && m->O[nook_prev(c)] != nook_prev(c)) return NOOK_INTERIOR_EDGE;
+    return nook_collapse(m, nook_prev(c), *point_of(m, nook_next(c)), edit);
+}
+
+/* v(c), v(q) and v(r) are v; a is the vertex that c does not see. */
+static nook_status remove_vertex_conditions(const nook_mesh *m, uint32_t c, uint32_t q, uint32_t r,
+                                            const nook_edit *edit) {
+    const nook_point *a = point_of(m, nook_prev(q)), *b = point_of(m, nook_next(c)),
+                     *d = point_of(m, nook_prev(c));
+    const nook_point *const none[4] = {a, a, a, a};
+    nook_status status = nook_triangle_status(m, q);
+    if (status == NOOK_OK) status = nook_triangle_status(m, r);
+    if (status != NOOK_OK) return status;
+    if (apex(m, c) == m->V[nook_prev(q)]) return NOOK_DUPLICATE_TRIANGLE;
+    return nook_is_turned(edit, a, b, d, none) ? NOOK_TURNED_TRIANGLE : NOOK_OK;
+}
+
+nook_status nook_remove_vertex(nook_mesh *m, uint32_t v, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     uint32_t c, q, r, a;
     nook_status status;
-    if (v >= m->nv || m->C[v] == NOOK_STORED_NONE) return NOOK_INDEX_OUT_OF_RANGE;
-    c = m->C[v];
-    status = triangle_status(m, c);
+    if (v >= m->nv) return NOOK_INDEX_OUT_OF_RANGE;
+    c = nook_corner_of(&view, v);
+    if (c == NOOK_NONE) {
+        nook_drop_vertex(m, v, edit);
+        return NOOK_OK;
+    }
+    status = nook_triangle_status(m, c);
     if (status != NOOK_OK) return status;
     q = nook_turn(&view, c, false);
     r = q == NOOK_NONE ? q : nook_turn(&view, q, false);
     if (r == NOOK_NONE || q == c || nook_turn(&view, r, false) != c) return NOOK_WRONG_VALENCE;
-    status = triangle_status(m, q);
-    if (status == NOOK_OK) status = triangle_status(m, r);
+    status = remove_vertex_conditions(m, c, q, r, edit);
     if (status != NOOK_OK) return status;
     a = m->V[nook_prev(q)];
-    if (apex(m, c) == a) return NOOK_DUPLICATE_TRIANGLE;
     m->V[c] = nook_store(a);
-    join(m, nook_next(c), across(m, q));
-    join(m, nook_prev(c), across(m, r));
+    nook_copy_attributes(edit, c, nook_prev(q));
+    nook_join(m, nook_next(c), nook_across(m, q));
+    nook_join(m, nook_prev(c), nook_across(m, r));
     m->C[a] = nook_store(c);
     m->C[m->V[nook_next(c)]] = nook_store(nook_next(c));
     m->C[m->V[nook_prev(c)]] = nook_store(nook_prev(c));
-    drop_triangles(m, nook_triangle(q), nook_triangle(r), renamer);
-    drop_vertex(m, v, renamer);
+    nook_drop_triangles(m, nook_triangle(q), nook_triangle(r), edit);
+    nook_drop_vertex(m, v, edit);
     return NOOK_OK;
 }

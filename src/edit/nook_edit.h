@@ -1,0 +1,34 @@
+/* nook_edit.h -- what all edits respect, and what they take along.
+ *
+ * Every edit looks first and then changes the mesh whole; a refusal says why and leaves every table as it was. What
+ * must never happen (two edges on the same vertices, a vertex of two fans, two triangles on the same vertices) is
+ * always asked; what need not is asked for here. An edit takes a pointer to this, or null for none of it. */
+#ifndef NOOK_EDIT_H
+#define NOOK_EDIT_H
+
+#include "exact/nook_exact.h"
+#include "walk/nook_star.h"
+
+typedef struct nook_edit {
+    /* Conditions. */
+    bool no_turn; /* no triangle may turn over or lose its area: NOOK_TURNED_TRIANGLE. Exact */
+    uint32_t
+        max_valence; /* no vertex may come to have more triangles: NOOK_TOO_MANY_TRIANGLES. 0: no limit. It also
+                             bounds the steps, as no fan beyond it is walked round */
+    /* Data beside the mesh, each array null or kept in step with it. */
+    uint8_t *
+        color; /* [max_nt], 0 is invisible: a new triangle takes that of the one it is cut from or joined to */
+    float *attributes; /* [3 max_nt][width], of corners: a new vertex has them by barycentric coordinates */
+    uint32_t width;
+    /* Told after vertex (NOOK_AT_VERTEX) or triangle (NOOK_AT_TRIANGLE) from has taken the number of one that is
+     * gone; and after vertex to, which is new, has become a copy of from. Either may be null. */
+    void (*renamed)(void *user, nook_kind kind, uint32_t from, uint32_t to);
+    void (*copied)(void *user, uint32_t from, uint32_t to);
+    void *user;
+} nook_edit;
+
+/* The barycentric coordinates of p, as it is seen along the normal of the triangle: p = w0 p0 + w1 p1 + w2 p2 in the
+ * plane. A third each if the triangle has no area (in floats). Steps: constant. */
+void nook_barycentric(const nook_point triangle[3], nook_point p, float w[3]);
+
+#endif

@@ -1,0 +1,91 @@
+/* nook_inner.h -- what the files of this room share: looking at tables of any bits, and changing them. */
+#ifndef NOOK_INNER_H
+#define NOOK_INNER_H
+
+#include "edit/nook_edit.h"
+
+/* ---- looking -------------------------------------------------------------------------------------- */
+
+/* The corner across, or NOOK_NONE at a border and where O names none. */
+static inline uint32_t nook_across(const nook_mesh *m, uint32_t c) {
+    return m->O[c] == c || m->O[c] >= 3u * m->max_nt ? NOOK_NONE : m->O[c];
+}
+
+/* Whether c is a corner, and the tables of its triangle lead to corners and vertices that exist. */
+nook_status nook_triangle_status(const nook_mesh *m, uint32_t c);
+
+/* The neighbours of a vertex one by one; at the end of an open fan the last vertex. */
+typedef struct nook_ring {
+    nook_star star;
+    uint32_t c;
+} nook_ring;
+
+nook_status nook_ring_begin(nook_ring *ring, const nook_view *m, uint32_t c);
+uint32_t nook_ring_next(nook_ring *ring);
+
+/* Whether v(c) and v are joined by an edge of the fan of c; true as well where the tables do not hold. */
+bool nook_is_joined(const nook_view *m, uint32_t c, uint32_t v);
+bool nook_is_at_border(const nook_view *m, uint32_t c);
+
+/* ---- conditions ----------------------------------------------------------------------------------- */
+
+/* The triangles in the fan of corner c; those beyond four more than the limit are not counted. */
+uint32_t nook_count_fan(const nook_view *m, uint32_t c, const nook_edit *edit);
+/* Whether v(c) may come to have so many triangles more. */
+bool nook_has_room(const nook_view *m, uint32_t c, uint32_t more, const nook_edit *edit);
+
+/* Two vertices at new places. */
+typedef struct nook_move {
+    uint32_t v[2];
+    nook_point to[2];
+} nook_move;
+
+/* Whether the condition is set and triangle a b c does not face the way of piece p, or has no area. A piece without area
+ * faces every way. */
+bool nook_is_turned(const nook_edit *edit, const nook_point *a, const nook_point *b, const nook_point *c,
+                    const nook_point *const p[4]);
+/* The same of triangle t against itself before a move; and of all in the fan of c but triangles a and b. */
+bool nook_move_turns(const nook_mesh *m, uint32_t t, const nook_move *move, const nook_edit *edit);
+bool nook_move_turns_fan(const nook_mesh *m, uint32_t c, const nook_move *move, uint32_t a, uint32_t b,
+                         const nook_edit *edit);
+
+/* ---- changing -------------------------------------------------------------------------------------- */
+
+static inline void nook_join(nook_mesh *m, uint32_t c, uint32_t o) {
+    m->O[c] = nook_store(o == NOOK_NONE ? c : o);
+    if (o != NOOK_NONE) m->O[o] = nook_store(c);
+}
+
+static inline void nook_set_triangle(nook_mesh *m, uint32_t t, uint32_t v0, uint32_t v1, uint32_t v2) {
+    m->V[3u * t] = nook_store(v0);
+    m->V[3u * t + 1u] = nook_store(v1);
+    m->V[3u * t + 2u] = nook_store(v2);
+}
+
+/* Vertex mesh->nv, which is counted from now on. */
+void nook_add_vertex(nook_mesh *m, nook_point at, uint32_t c);
+void nook_copied(const nook_edit *edit, uint32_t from, uint32_t to);
+
+/* Triangle t, or vertex v, is joined to nothing any more: the last one takes its number. With two, of either kind, the
+ * higher number goes first, so that the other is not the last that moves. */
+void nook_drop_triangle(nook_mesh *m, uint32_t t, const nook_edit *edit);
+void nook_drop_triangles(nook_mesh *m, uint32_t t, uint32_t u, const nook_edit *edit);
+void nook_drop_vertex(nook_mesh *m, uint32_t v, const nook_edit *edit);
+void nook_drop_vertices(nook_mesh *m, uint32_t v, uint32_t w, const nook_edit *edit);
+/* All corners in the fan of c become corners of v. */
+void nook_rename_fan(nook_mesh *m, uint32_t c, uint32_t v);
+
+/* ---- what goes along ------------------------------------------------------------------------------- */
+
+/* Triangle t belongs to no other: color 1 and attributes 0. */
+void nook_new_triangle(uint32_t t, const nook_edit *edit);
+void nook_copy_color(const nook_edit *edit, uint32_t to, uint32_t from);
+void nook_copy_attributes(const nook_edit *edit, uint32_t to, uint32_t from);
+void nook_swap_attributes(const nook_edit *edit, uint32_t c, uint32_t d);
+bool nook_same_attributes(const nook_edit *edit, uint32_t c, uint32_t d);
+/* Those of corner to become w0 times those of c, w1 of n(c) and w2 of p(c); any of the three may be to. */
+void nook_blend_attributes(const nook_edit *edit, uint32_t to, uint32_t c, const float w[3]);
+/* Those of corner to grow by weight times those of another. */
+void nook_add_attributes(const nook_edit *edit, uint32_t to, uint32_t from, float weight);
+
+#endif
