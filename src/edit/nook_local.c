@@ -200,8 +200,8 @@ static nook_status find_sector(const nook_mesh *m, uint32_t c, uint32_t d, secto
     for (s->n = 1, x = s->first; x != s->last; s->n++) {
         uint32_t turned = nook_turn(&view, x, false);
         if (turned == NOOK_NONE && d == NOOK_NONE) break;
-        if (turned == NOOK_NONE || s->n >= m->nt) return NOOK_NONMANIFOLD_VERTEX;
-        if (turned == s->first) return d == NOOK_NONE ? NOOK_INTERIOR_VERTEX : NOOK_NONMANIFOLD_VERTEX;
+        if (turned == s->first && d == NOOK_NONE) return NOOK_INTERIOR_VERTEX;
+        if (turned == NOOK_NONE || turned == s->first || s->n >= m->nt) return NOOK_NONMANIFOLD_VERTEX;
         x = turned;
     }
     s->last = x;
