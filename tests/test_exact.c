@@ -19,17 +19,36 @@ static int orient3d(const nook_point p[4]) { return nook_orient3d(&p[0], &p[1], 
 static int orient2d(const nook_point p[3], uint32_t axis) { return nook_orient2d(&p[0], &p[1], &p[2], axis); }
 static int distances(const nook_point p[4]) { return nook_compare_distances(&p[0], &p[1], &p[2], &p[3]); }
 
+/* Two pieces of points 0 to 3: triangles that share an edge, in two orders, triangles that share two points, and
+ * quadrilaterals. */
+static int normals(const nook_point p[4], uint32_t order, int *expected) {
+    static const uint8_t choice[4][8] = {{0, 1, 2, 2, 1, 3, 2, 2},
+                                         {0, 1, 3, 3, 0, 1, 2, 2},
+                                         {0, 1, 2, 2, 0, 3, 2, 2},
+                                         {0, 1, 2, 3, 2, 0, 3, 1}};
+    nook_point q[8];
+    const nook_point *one[4], *other[4];
+    uint32_t i;
+    for (i = 0; i < 8; i++) q[i] = p[choice[order % 4][i]];
+    for (i = 0; i < 4; i++) one[i] = &q[i], other[i] = &q[4 + i];
+    *expected = big_compare_normals(q);
+    return nook_compare_normals(one, other);
+}
+
 /* ---- cases ----------------------------------------------------------------------------------------- */
 
 static void hard_cases_have_the_sign_of_big_integers(void) {
     dice d = {88172645u};
     uint32_t i, axis;
+    int expected = 0, sign;
     for (i = 0; i < (uint32_t)AGAINST_ORACLE && !test_has_failed(); i++) {
         nook_point p[4];
         throw_case(&d, p);
         CHECK_EQUAL(orient3d(p), big_orient3d(p));
         for (axis = 0; axis < 3; axis++) CHECK_EQUAL(orient2d(p, axis), big_orient2d(p, axis));
         CHECK_EQUAL(distances(p), big_compare_distances(p));
+        sign = normals(p, i / 8, &expected);
+        CHECK_EQUAL(sign, expected);
     }
 }
 
@@ -73,6 +92,23 @@ static void every_choice_of_cube_corners(void) {
             }
         }
     }
+}
+
+/* The walls of a cube: the same, opposite, and at right angles; and a dent that floats would call right. */
+static void normals_of_walls(void) {
+    static const nook_point p[8] = {{0, 0, 0},    {0.1f, 0, 0},    {0.1f, 0.1f, 0},    {0, 0.1f, 0},
+                                    {0, 0, 0.1f}, {0.1f, 0, 0.1f}, {0.1f, 0.1f, 0.1f}, {0, 0.1f, 0.1f}};
+    static const nook_point dent = {0.1f, -1e-9f, 1e30f}, bump = {0.1f, 1e-9f, 1e30f};
+    const nook_point *const floor[4] = {&p[0], &p[1], &p[2], &p[3]}, *const roof[4] = {&p[7], &p[6], &p[5],
+                                                                                       &p[4]};
+    const nook_point *const wall[4] = {&p[0], &p[1], &p[5], &p[4]}, *const line[4] = {&p[0], &p[1], &p[1],
+                                                                                      &p[1]};
+    const nook_point *const in[4] = {&p[0], &p[1], &dent, &dent}, *const out[4] = {&p[0], &p[1], &bump,
+                                                                                   &bump};
+    CHECK(nook_compare_normals(floor, floor) == 1 && nook_compare_normals(floor, roof) == -1);
+    CHECK(nook_compare_normals(floor, wall) == 0 && nook_compare_normals(wall, roof) == 0);
+    CHECK(nook_compare_normals(line, floor) == 0 && nook_compare_normals(floor, line) == 0);
+    CHECK(nook_compare_normals(floor, in) == -1 && nook_compare_normals(floor, out) == 1);
 }
 
 static nook_point points[4];
@@ -435,6 +471,7 @@ static const test tests[] = {
     TEST(hard_cases_have_the_sign_of_big_integers),
     TEST(a_hundred_thousand_hard_cases_have_one_digest_on_all_machines),
     TEST(every_choice_of_cube_corners),
+    TEST(normals_of_walls),
     TEST(the_side_of_a_plane_is_told_to_the_last_place),
     TEST(tiny_coordinates_beside_large_ones_count),
     TEST(rounding_of_more_than_two_eps_turns_no_sign),
