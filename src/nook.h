@@ -24,13 +24,15 @@
  *                                    units can be handed to the next call
  *     nook_X(...)                    both in a loop
  * (nook_digest() and nook_drop_degenerate() are one plain pass and have only the last form; nook_survey and
- * nook_geometry, which link and check run for you, and the searches of walk only the first two.) begin copies
+ * nook_geometry, which link and check run for you, the searches of walk, nook_reverse and nook_split_fans only the first
+ * two. An edit of one place has one form: it is as long as the fans it touches, to which nook_edit sets a limit.) begin copies
  * marks, and views except in walk; all else it is given must stay until the end. Between steps nobody else may write the tables or the marks, and results say
  * nothing before NOOK_OK. A weld or link that is given up leaves the tables half done.
  * Each header says what a unit is and the most instructions it costs. States are at most 256
- * bytes. Nothing recurses. The worst stack, helpers of the compiler included, is 650 bytes on Cortex-M0 and 620 on
- * M4F (one-call nook_check, which holds its state there), 500 for one-call nook_link, 460 for a step of check and
- * for the STL and number parsers, 410 for a step of geometry, 310 and less for all others; `make stack` prints it
+ * bytes. Nothing recurses. The worst stack, helpers of the compiler included, is 730 bytes on Cortex-M0 and 690 on
+ * M4F (nook_stitch, nook_merge_edges; 460 to 710 for other edits that may move a point), 650 for one-call nook_check, which holds its
+ * state there, 500 for one-call nook_link, 460 for a step of check and for the STL and number parsers, 410 for a step
+ * of geometry, 310 and less for all others; `make stack` prints it
  * function by function.
  *
  * Numbers. float32 only; the same bits on every core (build with -ffp-contract=off and without
@@ -98,21 +100,28 @@ extern "C" {
  *
  * adjacent triangles          nook_opposite, nook_ntav
  * area                        nook_geometry.area
+ * attributes, colors          nook_edit.attributes, nook_edit.color
+ * barycentric coordinates     nook_barycentric
  * border, border edge         nook_is_border; NOOK_BORDER_EDGE
  * bow-tie                     NOOK_NONMANIFOLD_VERTEX
  * breadth-first, rings        nook_rings (distance across edges)
+ * bridge                      out of scope: a modeling tool; make triangles between the loops with nook_make_triangle
  * centroid                    nook_geometry.centroid
  * clean                       nook_check_result.clean
  * component                   nook_survey.components, nook_shells; tags: nook_components, nook_flood
  * concave edge                nook_geometry.concave_edges
+ * consistent                  NOOK_FOLDED_EDGE is a part of it; self-intersection is to come
  * convex edge                 nook_geometry.convex_edges
  * convex mesh                 nook_geometry.convex, with a witness if not
  * corner, corner table        nook_view: V, O
- * depth-first search, Visit   nook_flood
- * duplicate                   NOOK_DUPLICATE_TRIANGLE
+ * cut, cut open               nook_cut (an edge that reaches the border); nook_split_vertex
  * delete vertex               nook_remove_vertex
+ * depth-first search, Visit   nook_flood
+ * dual graph                  its links are nook_opposite
+ * duplicate                   NOOK_DUPLICATE_TRIANGLE
  * edge                        nook_edge (its canonical corner)
  * edge collapse               nook_collapse
+ * edge merge                  nook_merge_edges
  * edge split, edge swap       nook_split_edge, nook_flip
  * edge-connected              nook_survey
  * edge-manifold               nook_check_result.edge_manifold
@@ -120,28 +129,42 @@ extern "C" {
  * eOnext ... eRprev           nook_onext, nook_oprev, nook_dnext, nook_dprev, nook_rnext, nook_rprev
  * eSym, pair                  nook_pair
  * Euler number                nook_check_result.euler
+ * Euler operators             nook_sew.h lists them: MVS, MEV, MEF, KHMF
  * even                        nook_check_result.even (the seed's weaker "watertight")
  * fan                         nook_survey.fans
+ * fill a hole                 nook_fill: fan, centroid, ears
  * flat edge                   nook_geometry.flat_edges
  * folded edge                 NOOK_FOLDED_EDGE
  * genus, handles              nook_shell_genus
  * half-edge                   nook_halfedge
  * hole, border loop           nook_border_next, nook_border_length; counted: nook_survey.border_loops
  * incidence table             nook_view.V
+ * indexed structure           nook_view.G, nook_view.V; with adjacencies: O, C
  * inertia                     nook_geometry.inertia
  * inside out, outward         NOOK_INSIDE_OUT; nook_geometry.inside_out_shells
+ * invisible                   color 0: nook_edit.color
  * isolated vertex (hair)      NOOK_ISOLATED_VERTEX
  * k-ring                      nook_neighborhood
+ * KHMF                        nook_make_triangle on three border edges, nook_fill
  * l, left                     nook_left
  * label vertices              nook_flood_new_vertices
  * left, right face            nook_left_face, nook_right_face
+ * level of detail             to come; nook_collapse and nook_split_vertex are its steps
  * lone edge                   !nook_is_halfedge
  * manifold                    nook_check_result.manifold
  * marks Mt, Mv                nook_marks
+ * mask                        nook_marks
+ * MEF                         nook_make_triangle on two border edges; nook_split_edge
+ * merge border edges          nook_stitch
+ * MEV                         nook_make_triangle with a vertex of nook_make_vertex; nook_split_vertex
+ * MVS                         nook_make_vertex
  * n, next                     nook_next
  * next, prev (half-edge)      nook_next_halfedge, nook_prev_halfedge; of MeshLib: nook_onext, nook_oprev
+ * normal                      nook_cross; of vertices to come; which way it points: nook_facing, nook_compare_normals
  * ntav, nvat                  nook_ntav, nook_nvat
  * o, opposite                 nook_opposite; computed by nook_link
+ * one-ring                    NOOK_VV, NOOK_VF
+ * orient the shells           to come; nook_reverse is its step
  * orient2d, orient3d          nook_orient2d, nook_orient3d
  * orientable                  nook_survey.orientable
  * oriented                    nook_check_result.oriented
@@ -149,17 +172,29 @@ extern "C" {
  * origin, target; org, dest   nook_origin, nook_target
  * p, previous                 nook_prev
  * r, right                    nook_right
+ * reverse                     nook_reverse
  * s, swing                    nook_swing; nook_turn stops at borders
  * shell                       nook_shell
+ * sibling                     nook_pair
  * simple mesh                 nook_check_result.simple
+ * smooth a shell              to come
  * soup                        nook_mesh_append, nook_weld
+ * spanning tree (TST, VST)    the entry corners of nook_flood are a triangle-spanning tree; marks of both to come
+ * split non-manifold vertices nook_split_fans
  * star of a vertex            nook_star
  * star of an edge             NOOK_EF
+ * stitch                      nook_stitch
+ * strips                      out of scope: an order for graphics hardware
+ * subdivision                 out of scope: it makes meshes finer for looks; nook_split_edge and nook_flip are its steps
  * t, triangle                 nook_triangle
+ * T-mesh, T-patch             nook_check_result.manifold, oriented; with one loop: nook_survey.border_loops
+ * trace                       nook_border_next
+ * triangle flip (turn over)   NOOK_TURNED_TRIANGLE: nook_edit.no_turn
  * triangle split              nook_split_triangle
  * v, vertex                   nook_vertex
  * valence                     nook_valence
  * valid vertex                nook_corner_of is not NOOK_NONE
+ * vertex split                nook_split_vertex
  * volume                      nook_geometry.signed_volume; exact: nook_volume
  * VV VE VF EV EE EF FV FE FF  nook_related
  * watertight                  nook_check_result.watertight

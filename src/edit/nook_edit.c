@@ -70,6 +70,7 @@ bool nook_move_turns(const nook_mesh *m, uint32_t t, const nook_move *move, cons
     uint32_t i;
     for (i = 0; i < 3u; i++) {
         uint32_t v = m->V[3u * t + i];
+        if (v >= m->nv) return true; /* no vertex at all */
         old[i] = &m->G[v];
         now[i] = v == move->v[0] ? &move->to[0] : v == move->v[1] ? &move->to[1] : old[i];
     }

@@ -19,7 +19,7 @@ static bool has_capacity(const nook_mesh *m, uint32_t vertices, uint32_t triangl
 /* ---- flip and splits ------------------------------------------------------------------------------- */
 
 /* Both triangles to be, seen along the normal of the quadrilateral A B D C. */
-static bool flip_turns(const nook_mesh *m, uint32_t c, uint32_t o, const nook_edit *edit) {
+NOOK_APART static bool flip_turns(const nook_mesh *m, uint32_t c, uint32_t o, const nook_edit *edit) {
     const nook_point *const p[4] = {point_of(m, c), point_of(m, nook_next(c)), point_of(m, o),
                                     point_of(m, nook_prev(c))};
     return nook_is_turned(edit, p[0], p[1], p[2], p) || nook_is_turned(edit, p[0], p[2], p[3], p);
@@ -52,13 +52,13 @@ nook_status nook_flip(nook_mesh *m, uint32_t c, const nook_edit *edit) {
 }
 
 /* Whether corner c can be moved to at; of its triangle alone. */
-static bool corner_turns(const nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
+NOOK_APART static bool corner_turns(const nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
     nook_move move = {{m->V[c], NOOK_NONE}, {at, at}};
     return nook_move_turns(m, nook_triangle(c), &move, edit);
 }
 
-static nook_status split_triangle_status(const nook_mesh *m, uint32_t t, nook_point at,
-                                         const nook_edit *edit) {
+NOOK_APART static nook_status split_triangle_status(const nook_mesh *m, uint32_t t, nook_point at,
+                                                    const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     nook_status status;
     uint32_t c;
@@ -73,20 +73,28 @@ static nook_status split_triangle_status(const nook_mesh *m, uint32_t t, nook_po
     return NOOK_OK;
 }
 
+/* Those of a point in the triangle of c, at the first new corner. */
+NOOK_APART static void set_attributes_inside(const nook_mesh *m, uint32_t c, nook_point at,
+                                             const nook_edit *edit) {
+    nook_point corners[3];
+    float w[3];
+    uint32_t i;
+    if (edit == NULL || edit->attributes == NULL) return;
+    for (i = 0; i < 3u; i++) corners[i] = *point_of(m, c + i);
+    nook_barycentric(corners, at, w);
+    nook_blend_attributes(edit, 3u * m->nt, c, w);
+}
+
 nook_status nook_split_triangle(nook_mesh *m, uint32_t t, nook_point at, const nook_edit *edit) {
     nook_status status = split_triangle_status(m, t, at, edit);
     uint32_t c = 3u * t, q = 3u * m->nt, r = q + 3u, v = m->nv, a, second, third;
-    nook_point corners[3];
-    float w[3];
     if (status != NOOK_OK) return status;
-    for (a = 0; a < 3u; a++) corners[a] = *point_of(m, c + a);
-    nook_barycentric(corners, at, w);
     a = m->V[c];
     second = nook_across(m, c + 1u);
     third = nook_across(m, c + 2u);
     nook_set_triangle(m, m->nt, v, m->V[c + 2u], a);
     nook_set_triangle(m, m->nt + 1u, v, a, m->V[c + 1u]);
-    nook_blend_attributes(edit, q, c, w);
+    set_attributes_inside(m, c, at, edit);
     nook_copy_attributes(edit, q + 1u, c + 2u);
     nook_copy_attributes(edit, q + 2u, c);
     nook_copy_attributes(edit, r, q);
@@ -107,8 +115,8 @@ nook_status nook_split_triangle(nook_mesh *m, uint32_t t, nook_point at, const n
     return NOOK_OK;
 }
 
-/* How far from B to C the foot of a point is, from 0 to 1; a half if they are in one place. */
-static float along(const nook_mesh *m, uint32_t b, uint32_t c, nook_point at) {
+/* How far from v(b) to v(c) the foot of a point is, from 0 to 1; a half if they are in one place. */
+NOOK_APART static float along(const nook_mesh *m, uint32_t b, uint32_t c, nook_point at) {
     nook_point edge = nook_sub(*point_of(m, c), *point_of(m, b)), to = nook_sub(at, *point_of(m, b));
     float scale = nook_power_of_two(254u - nook_exponent(nook_length(edge))), square, s;
     edge = nook_scaled(edge, scale);
@@ -118,7 +126,18 @@ static float along(const nook_mesh *m, uint32_t b, uint32_t c, nook_point at) {
     return s < 0 ? 0 : s > 1 ? 1 : s;
 }
 
-static nook_status split_edge_status(const nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
+/* Those of a point on the edge that c faces, as its triangle has them, at corner to. */
+static void set_attributes_between(const nook_mesh *m, uint32_t to, uint32_t c, nook_point at,
+                                   const nook_edit *edit) {
+    float w[3] = {0, 0, 0};
+    if (edit == NULL || edit->attributes == NULL) return;
+    w[2] = along(m, nook_next(c), nook_prev(c), at);
+    w[1] = 1.0f - w[2];
+    nook_blend_attributes(edit, to, c, w);
+}
+
+NOOK_APART static nook_status split_edge_status(const nook_mesh *m, uint32_t c, nook_point at,
+                                                const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     nook_status status = edge_status(m, c);
     uint32_t o, side;
@@ -138,16 +157,13 @@ static nook_status split_edge_status(const nook_mesh *m, uint32_t c, nook_point 
 nook_status nook_split_edge(nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
     nook_status status = split_edge_status(m, c, at, edit);
     uint32_t o, q = 3u * m->nt, r = q + 3u, v = m->nv, end, y, z;
-    float w[3] = {0, 0, 0};
     if (status != NOOK_OK) return status;
     o = nook_across(m, c);
     end = m->V[nook_prev(c)];
     y = nook_across(m, nook_next(c));
-    w[2] = along(m, nook_next(c), nook_prev(c), at);
-    w[1] = 1.0f - w[2];
     nook_set_triangle(m, m->nt, m->V[c], v, end);
     nook_copy_attributes(edit, q, c);
-    nook_blend_attributes(edit, q + 1u, c, w);
+    set_attributes_between(m, q + 1u, c, at, edit);
     nook_copy_attributes(edit, q + 2u, nook_prev(c));
     nook_copy_attributes(edit, nook_prev(c), q + 1u);
     nook_copy_color(edit, m->nt++, nook_triangle(c));
@@ -157,11 +173,10 @@ nook_status nook_split_edge(nook_mesh *m, uint32_t c, nook_point at, const nook_
     nook_join(m, q, NOOK_NONE);
     if (o != NOOK_NONE) {
         z = nook_across(m, nook_prev(o));
-        w[1] = w[2], w[2] = 1.0f - w[1];
         nook_set_triangle(m, m->nt, m->V[o], end, v);
         nook_copy_attributes(edit, r, o);
         nook_copy_attributes(edit, r + 1u, nook_next(o));
-        nook_blend_attributes(edit, r + 2u, o, w);
+        set_attributes_between(m, r + 2u, o, at, edit);
         nook_copy_attributes(edit, nook_next(o), r + 2u);
         nook_copy_color(edit, m->nt++, nook_triangle(o));
         m->V[nook_next(o)] = nook_store(v);
@@ -188,11 +203,11 @@ static bool turn_to_border(const nook_view *m, uint32_t *c) {
     return nook_turn(m, *c, true) == NOOK_NONE;
 }
 
-static nook_status find_sector(const nook_mesh *m, uint32_t c, uint32_t d, sector *s) {
+NOOK_APART static nook_status find_sector(const nook_mesh *m, uint32_t c, uint32_t d, sector *s) {
     nook_view view = nook_view_of(m);
-    nook_status status = c == NOOK_NONE ? NOOK_OK : nook_triangle_status(m, c);
+    nook_status status = c == NOOK_NONE ? NOOK_OK : edge_status(m, c);
     uint32_t x;
-    if (status == NOOK_OK && (d != NOOK_NONE || c == NOOK_NONE)) status = nook_triangle_status(m, d);
+    if (status == NOOK_OK && (d != NOOK_NONE || c == NOOK_NONE)) status = edge_status(m, d);
     if (status != NOOK_OK) return status;
     s->first = c != NOOK_NONE ? nook_next(c) : nook_prev(d);
     s->last = d != NOOK_NONE ? nook_prev(d) : NOOK_NONE;
@@ -209,8 +224,8 @@ static nook_status find_sector(const nook_mesh *m, uint32_t c, uint32_t d, secto
 }
 
 /* A new triangle v w x at corner c of the sector, which faces the edge of v(k) and x. */
-static bool wedge_turns(const nook_mesh *m, uint32_t c, uint32_t k, uint32_t x, nook_point at,
-                        const nook_edit *edit) {
+NOOK_APART static bool wedge_turns(const nook_mesh *m, uint32_t c, uint32_t k, uint32_t x, nook_point at,
+                                   const nook_edit *edit) {
     uint32_t i, y = nook_across(m, c);
     const nook_point *const v = point_of(m, k), *const w = &at;
     bool first = k == nook_next(c);
@@ -222,8 +237,8 @@ static bool wedge_turns(const nook_mesh *m, uint32_t c, uint32_t k, uint32_t x, 
     return false;
 }
 
-static nook_status split_vertex_status(const nook_mesh *m, uint32_t c, uint32_t d, nook_point at,
-                                       const nook_edit *edit, sector *s) {
+NOOK_APART static nook_status split_vertex_status(const nook_mesh *m, uint32_t c, uint32_t d, nook_point at,
+                                                  const nook_edit *edit, sector *s) {
     nook_view view = nook_view_of(m);
     nook_status status = find_sector(m, c, d, s);
     uint32_t x, more = (uint32_t)(c != NOOK_NONE) + (uint32_t)(d != NOOK_NONE), n;
@@ -295,16 +310,21 @@ nook_status nook_split_vertex(nook_mesh *m, uint32_t c, uint32_t d, nook_point a
 
 /* ---- collapse -------------------------------------------------------------------------------------- */
 
-/* How many neighbours B and C have in common, from their corners at the edge. */
-static uint32_t count_common(const nook_view *m, uint32_t b, uint32_t c) {
+/* How many neighbours B and C have in common, from their corners at the edge; those of B by the dozen, so that the
+ * fan of C is walked once for most. */
+NOOK_APART static uint32_t count_common(const nook_view *m, uint32_t b, uint32_t c) {
+    enum { DOZEN = 12 };
     nook_ring one, other;
-    uint32_t n = 0, v, w;
+    uint32_t near[DOZEN], n, i, v, common = 0;
     if (nook_ring_begin(&one, m, b) != NOOK_OK) return NOOK_NONE;
-    while ((v = nook_ring_next(&one)) != NOOK_NONE) {
+    do {
+        for (n = 0; n < (uint32_t)DOZEN && (v = nook_ring_next(&one)) != NOOK_NONE; n++) near[n] = v;
         if (nook_ring_begin(&other, m, c) != NOOK_OK) return NOOK_NONE;
-        while ((w = nook_ring_next(&other)) != NOOK_NONE) n += v == w;
-    }
-    return n;
+        while ((v = nook_ring_next(&other)) != NOOK_NONE) {
+            for (i = 0; i < n; i++) common += near[i] == v;
+        }
+    } while (n == (uint32_t)DOZEN);
+    return common;
 }
 
 /* Vertex v of the triangle across corner x; NOOK_NONE at a border. */
@@ -318,7 +338,7 @@ static bool has_room_for_both(const nook_view *m, uint32_t c, const nook_edit *e
     return all - (nook_is_border(m, c) ? 2u : 4u) <= edit->max_valence;
 }
 
-static nook_status collapse_status(const nook_mesh *m, uint32_t c, const nook_edit *edit) {
+NOOK_APART static nook_status collapse_status(const nook_mesh *m, uint32_t c, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     nook_status status = edge_status(m, c);
     uint32_t o, n = nook_next(c), p = nook_prev(c), common;
@@ -337,7 +357,7 @@ static nook_status collapse_status(const nook_mesh *m, uint32_t c, const nook_ed
     return common == (o == NOOK_NONE ? 1u : 2u) ? NOOK_OK : NOOK_DUPLICATE_EDGE;
 }
 
-static bool collapse_turns(const nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
+NOOK_APART static bool collapse_turns(const nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
     nook_move move = {{m->V[nook_next(c)], m->V[nook_prev(c)]}, {at, at}};
     uint32_t t = nook_triangle(c), u = nook_triangle(m->O[c]);
     return nook_move_turns_fan(m, nook_next(c), &move, t, u, edit) ||
@@ -346,13 +366,12 @@ static bool collapse_turns(const nook_mesh *m, uint32_t c, nook_point at, const 
 
 /* Attributes at the point to be, by triangle at the edge, are left at the corners c and o, which go. Where B or C had
  * those of that triangle, they become these; beyond a crease they stay. */
-static void merge_attributes(nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
+NOOK_APART static void merge_attributes(nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     uint32_t o = nook_across(m, c), end, x;
-    float s = along(m, nook_next(c), nook_prev(c), at), w[3] = {0, 1.0f - s, s}, v[3] = {0, s, 1.0f - s};
     if (edit == NULL || edit->attributes == NULL) return;
-    nook_blend_attributes(edit, c, c, w);
-    if (o != NOOK_NONE) nook_blend_attributes(edit, o, o, v);
+    set_attributes_between(m, c, c, at, edit);
+    if (o != NOOK_NONE) set_attributes_between(m, o, o, at, edit);
     for (end = 0; end < 2u; end++) {
         uint32_t here = end == 0 ? nook_next(c) : nook_prev(c),
                  there = end == 0 ? nook_prev(o) : nook_next(o);
@@ -371,7 +390,7 @@ static void merge_attributes(nook_mesh *m, uint32_t c, nook_point at, const nook
 
 /* The triangle of c goes: its two other neighbours become neighbours of each other, and its vertices, of which v(n(c))
  * is called by its new name by now, get corners there. */
-static void close_gap(nook_mesh *m, uint32_t c) {
+NOOK_APART static void close_gap(nook_mesh *m, uint32_t c) {
     nook_view view = nook_view_of(m);
     uint32_t y = nook_across(m, nook_next(c)), z = nook_across(m, nook_prev(c)),
              stays = y != NOOK_NONE ? y : z;
@@ -416,17 +435,20 @@ nook_status nook_merge_edges(nook_mesh *m, uint32_t c, const nook_edit *edit) {
     return nook_collapse(m, nook_prev(c), *point_of(m, nook_next(c)), edit);
 }
 
-/* v(c), v(q) and v(r) are v; a is the vertex that c does not see. */
-static nook_status remove_vertex_conditions(const nook_mesh *m, uint32_t c, uint32_t q, uint32_t r,
-                                            const nook_edit *edit) {
-    const nook_point *a = point_of(m, nook_prev(q)), *b = point_of(m, nook_next(c)),
-                     *d = point_of(m, nook_prev(c));
-    const nook_point *const none[4] = {a, a, a, a};
+/* Whether the one triangle for those of c, q and r, around a vertex, can be; a is the vertex that c does not see. */
+NOOK_APART static nook_status remove_vertex_status(const nook_mesh *m, uint32_t c, uint32_t q, uint32_t r,
+                                                   const nook_edit *edit) {
     nook_status status = nook_triangle_status(m, q);
+    const nook_point *a, *none[4];
+    uint32_t i;
     if (status == NOOK_OK) status = nook_triangle_status(m, r);
     if (status != NOOK_OK) return status;
     if (apex(m, c) == m->V[nook_prev(q)]) return NOOK_DUPLICATE_TRIANGLE;
-    return nook_is_turned(edit, a, b, d, none) ? NOOK_TURNED_TRIANGLE : NOOK_OK;
+    a = point_of(m, nook_prev(q));
+    for (i = 0; i < 4u; i++) none[i] = a;
+    return nook_is_turned(edit, a, point_of(m, nook_next(c)), point_of(m, nook_prev(c)), none)
+               ? NOOK_TURNED_TRIANGLE
+               : NOOK_OK;
 }
 
 nook_status nook_remove_vertex(nook_mesh *m, uint32_t v, const nook_edit *edit) {
@@ -444,7 +466,7 @@ nook_status nook_remove_vertex(nook_mesh *m, uint32_t v, const nook_edit *edit) 
     q = nook_turn(&view, c, false);
     r = q == NOOK_NONE ? q : nook_turn(&view, q, false);
     if (r == NOOK_NONE || q == c || nook_turn(&view, r, false) != c) return NOOK_WRONG_VALENCE;
-    status = remove_vertex_conditions(m, c, q, r, edit);
+    status = remove_vertex_status(m, c, q, r, edit);
     if (status != NOOK_OK) return status;
     a = m->V[nook_prev(q)];
     m->V[c] = nook_store(a);

@@ -29,8 +29,8 @@ static nook_status find_partner(const nook_mesh *m, uint32_t a, uint32_t b, uint
 }
 
 /* partner[i] is the corner opposite to corner i to be. */
-static nook_status make_status(const nook_mesh *m, const uint32_t v[3], uint32_t partner[3],
-                               const nook_edit *edit) {
+NOOK_APART static nook_status make_status(const nook_mesh *m, const uint32_t v[3], uint32_t partner[3],
+                                          const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     uint32_t i, c;
     nook_status status;
@@ -109,7 +109,7 @@ static uint32_t sewn(const nook_mesh *m, const seam *s, uint32_t x) {
 }
 
 /* Whether v(c) and v(d) can become one: no neighbour but that along the seam is one of both. */
-static nook_status meet_status(const nook_mesh *m, const seam *s, uint32_t c, uint32_t d) {
+NOOK_APART static nook_status meet_status(const nook_mesh *m, const seam *s, uint32_t c, uint32_t d) {
     nook_view view = nook_view_of(m);
     nook_ring one, other;
     uint32_t n = 0, v, w;
@@ -123,7 +123,7 @@ static nook_status meet_status(const nook_mesh *m, const seam *s, uint32_t c, ui
     return n == 1 ? NOOK_OK : NOOK_DUPLICATE_EDGE;
 }
 
-static nook_status stitch_conditions(const nook_mesh *m, const seam *s, const nook_edit *edit) {
+NOOK_APART static nook_status stitch_conditions(const nook_mesh *m, const seam *s, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     nook_move move = {{m->V[s->b2], m->V[s->e2]}, {m->G[m->V[s->b]], m->G[m->V[s->e]]}};
     uint32_t end;
@@ -136,15 +136,13 @@ static nook_status stitch_conditions(const nook_mesh *m, const seam *s, const no
     return NOOK_OK;
 }
 
-static nook_status stitch_status(const nook_mesh *m, uint32_t c, uint32_t d, const seam *s,
-                                 const nook_edit *edit) {
+NOOK_APART static nook_status stitch_status(const nook_mesh *m, uint32_t c, uint32_t d, const seam *s) {
     nook_status status = nook_triangle_status(m, c);
     if (status == NOOK_OK) status = nook_triangle_status(m, d);
     if (status != NOOK_OK) return status;
     if (m->O[c] != c || m->O[d] != d) return NOOK_INTERIOR_EDGE;
     if (c == d) return NOOK_REPEATED_VERTEX;
-    status = stitch_conditions(m, s, edit);
-    if (status == NOOK_OK) status = meet_status(m, s, s->b, s->b2);
+    status = meet_status(m, s, s->b, s->b2);
     if (status == NOOK_OK) status = meet_status(m, s, s->e, s->e2);
     if (status != NOOK_OK) return status;
     return m->V[c] == m->V[d] ? NOOK_DUPLICATE_TRIANGLE : NOOK_OK;
@@ -152,8 +150,9 @@ static nook_status stitch_status(const nook_mesh *m, uint32_t c, uint32_t d, con
 
 nook_status nook_stitch(nook_mesh *m, uint32_t c, uint32_t d, const nook_edit *edit) {
     seam s = {nook_next(c), nook_prev(c), nook_prev(d), nook_next(d)};
-    nook_status status = stitch_status(m, c, d, &s, edit);
+    nook_status status = stitch_status(m, c, d, &s);
     uint32_t b, b2, e, e2;
+    if (status == NOOK_OK) status = stitch_conditions(m, &s, edit);
     if (status != NOOK_OK) return status;
     b = m->V[s.b], e = m->V[s.e], b2 = m->V[s.b2], e2 = m->V[s.e2];
     if (b != b2) nook_rename_fan(m, s.b2, b);

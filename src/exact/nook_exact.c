@@ -309,34 +309,34 @@ NOOK_APART static int distances_by_sum(const nook_point *const *p) {
     return sign_of_sum(sum, SUM_WORDS);
 }
 
-/* One of the eight products of two coordinates u and v in (p2 - p0) x (p3 - p1): bit 0 of which takes p0 for p2, bit 1
- * p1 for p3, bit 2 the second half of the minor. */
-static product product_of_normal(const nook_point *const *p, uint32_t which, uint32_t u, uint32_t v) {
-    const nook_point *first = p[(which & 1u) != 0 ? 0 : 2], *second = p[(which & 2u) != 0 ? 1 : 3];
-    product xy = (which & 4u) == 0 ? product_of(bits_of(first, u), bits_of(second, v))
-                                   : product_of(bits_of(first, v), bits_of(second, u));
-    xy.sign ^= (which ^ which >> 1 ^ which >> 2) << 31;
-    return xy;
+/* One of the eight products of two coordinates u and v in (p2 - p0) x (p3 - p1): bit 0 of which takes p0 for p2,
+ * bit 1 p1 for p3, bit 2 the second half of the minor. False if it is 0, or of p2 and p3 that are the same. */
+static bool product_of_normal(const nook_point *const *p, uint32_t which, uint32_t axis, product *xy) {
+    const nook_point *first = p[2u - 2u * (which & 1u)], *second = p[3u - (which & 2u)];
+    uint32_t u = first_after(axis), v = second_after(axis);
+    if (first == second) return false;
+    *xy = product_of(bits_of(first, which < 4u ? u : v), bits_of(second, which < 4u ? v : u));
+    xy->sign ^= (which ^ which >> 1 ^ which >> 2) << 31;
+    return (xy->low | xy->high) != 0;
 }
 
-/* All products of four coordinates, from 2^-596 up; the last two are multiplied first and come in two parts of 24 bits,
- * which as the bits of a float are just that many times the smallest. */
+/* All products of four coordinates, from 2^-596 up; the last two are multiplied first and come in two parts of 24
+ * bits, which as the bits of a float are just that many times the smallest. */
 enum { QUARTIC_WORDS = 36 };
 NOOK_APART static int normals_by_sum(const nook_point *const *p, const nook_point *const *q) {
-    uint32_t sum[QUARTIC_WORDS], axis, i, j;
+    uint32_t sum[QUARTIC_WORDS], i, j;
     clear(sum, QUARTIC_WORDS);
-    for (axis = 0; axis < 3u; axis++) {
-        uint32_t u = first_after(axis), v = second_after(axis);
-        for (i = 0; i < 8u; i++) {
-            product xy = product_of_normal(p, i, u, v), all = xy;
-            for (j = 0; j < 8u; j++) {
-                product zw = product_of_normal(q, j, u, v);
-                all.sign = xy.sign ^ zw.sign;
-                all.place = xy.place + zw.place + 1u;
-                add_product(sum, QUARTIC_WORDS, &all, zw.low & 0xFFFFFFu);
-                all.place += 24u;
-                add_product(sum, QUARTIC_WORDS, &all, zw.low >> 24 | zw.high << 8);
-            }
+    for (i = 0; i < 24u; i++) {
+        product xy, zw, all;
+        if (!product_of_normal(p, i & 7u, i >> 3, &xy)) continue;
+        all = xy;
+        for (j = 0; j < 8u; j++) {
+            if (!product_of_normal(q, j, i >> 3, &zw)) continue;
+            all.place = xy.place + zw.place + 1u;
+            all.sign = xy.sign ^ zw.sign;
+            add_product(sum, QUARTIC_WORDS, &all, zw.low & 0xFFFFFFu);
+            all.place += 24u;
+            add_product(sum, QUARTIC_WORDS, &all, zw.low >> 24 | zw.high << 8);
         }
     }
     return sign_of_sum(sum, QUARTIC_WORDS);

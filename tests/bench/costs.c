@@ -1,6 +1,6 @@
 /* costs.c -- what the library costs on an emulated core that counts instructions, line by line for the table
  * that tests/tools/costs.py keeps: weld, link, survey and check a triangle and at most a unit, over a torus, sound and
- * with defects of every kind; and each exact sign, by the stage that decides it.
+ * with defects of every kind; each exact sign, by the stage that decides it; walks, and edits of a mesh of valence 6.
  *
  * The emulator counts 64 ns for every instruction; TICK is a tick of the port in tenths of a nanosecond. */
 #include "check.h"
@@ -150,6 +150,99 @@ static void signs(void) {
     print_cost("volume_add", "", spent());
 }
 
+/* ---- walks and edits ---------------------------------------------------------------------------------- */
+
+/* Valence 6 everywhere. */
+static void whole_torus(void) {
+    nook_report report;
+    nook_marks marks = {Mt, Mv, MAX_T, MAX_V};
+    soup(false);
+    nook_weld(&mesh, map, arrays.O, NULL);
+    nook_link(&mesh, &marks, NULL, NULL, &report, NULL);
+}
+
+static void walks(void) {
+    nook_marks marks = {Mt, Mv, MAX_T, MAX_V};
+    nook_view view;
+    nook_star star;
+    nook_flood flood;
+    nook_rings rings;
+    nook_components sets;
+    nook_related all;
+    uint32_t units = UINT32_MAX, sum = 0, item;
+    volatile uint32_t sink;
+    whole_torus();
+    view = nook_view_of(&mesh);
+    start();
+    nook_star_begin(&star, &view, 7, true);
+    while (nook_star_next(&star) != NOOK_NONE) sum++;
+    print_cost("star", "_of_6", spent());
+    start();
+    nook_related_begin(&all, &view, NOOK_VV, 7);
+    while (nook_related_next(&all, &item)) sum += item;
+    print_cost("relation", "_VV_of_6", spent());
+    start(), sink = nook_onext(&view, nook_halfedge(&view, 7));
+    print_cost("halfedge", "_onext", spent());
+    nook_flood_begin(&flood, &view, &marks, NOOK_NONE);
+    start();
+    while (nook_flood_step(&flood, &units) == NOOK_TRIANGLE) sum++;
+    print_cost("flood", "_a_triangle", spent() / mesh.nt);
+    nook_rings_begin(&rings, &view, 0, component, stamp);
+    units = UINT32_MAX;
+    start(), nook_rings_step(&rings, &units);
+    print_cost("rings", "_a_triangle", spent() / mesh.nt);
+    nook_components_begin(&sets, &view, component);
+    units = UINT32_MAX;
+    start(), nook_components_step(&sets, &units);
+    print_cost("components", "_a_triangle", spent() / mesh.nt);
+    sink = sum;
+    (void)sink;
+}
+
+/* Each edit and what takes it back; with and without the condition that nothing turns over. The new points are inside,
+ * so that nothing is refused. */
+static void edits(const char *name, const nook_edit *edit) {
+    nook_point at, p, q, r;
+    nook_status status;
+    uint32_t c = 30, d, nt;
+    whole_torus();
+    p = mesh.G[mesh.V[c]], q = mesh.G[mesh.V[c + 1]], r = mesh.G[mesh.V[c + 2]];
+    at = nook_make((q.x + r.x) / 2, (q.y + r.y) / 2, (q.z + r.z) / 2);
+    start(), status = nook_split_edge(&mesh, c, at, edit);
+    print_cost("split_edge", name, spent() + (uint32_t)status * 100000u);
+    start(), status = nook_merge_edges(&mesh, 3 * (mesh.nt - 2) + 1, edit);
+    print_cost("merge_edges", name, spent() + (uint32_t)status * 100000u);
+    at = nook_make((p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3, (p.z + q.z + r.z) / 3);
+    start(), status = nook_split_triangle(&mesh, c / 3, at, edit);
+    print_cost("split_triangle", name, spent() + (uint32_t)status * 100000u);
+    start(), status = nook_remove_vertex(&mesh, mesh.nv - 1, edit);
+    print_cost("remove_vertex", name, spent());
+    start(), status = nook_flip(&mesh, c, edit);
+    print_cost("flip", name, spent());
+    whole_torus();
+    nt = mesh.nt;
+    d = nook_next(nook_prev(mesh.O[c + 2]));
+    start(), status = nook_split_vertex(&mesh, c, nook_prev(d), nook_make(q.x + 0.01f, q.y, q.z), NULL);
+    if (edit == NULL) print_cost("split_vertex", name, spent() + (uint32_t)status * 100000u);
+    start(), status = nook_collapse(&mesh, 3 * nt, q, edit);
+    print_cost("collapse", name, spent() + (uint32_t)status * 100000u);
+}
+
+static void sewing(void) {
+    uint32_t v[3], c;
+    whole_torus();
+    v[0] = mesh.V[30], v[1] = mesh.V[31], v[2] = mesh.V[32];
+    start(), nook_remove_triangle(&mesh, 10, NULL);
+    print_cost("remove_triangle", "", spent());
+    start(), nook_make_triangle(&mesh, v, NULL);
+    print_cost("make_triangle", "", spent());
+    nook_remove_triangle(&mesh, 10, NULL);
+    for (c = 0; mesh.O[c] != c; c++) {
+    }
+    start(), nook_fill_hole(&mesh, c, NOOK_FILL_CENTROID, NULL);
+    print_cost("fill_centroid", "_of_3", spent());
+}
+
 /* In one call, for comparison with the same without guards. */
 static void survey_only(void) {
     nook_marks marks = {Mt, Mv, MAX_T, MAX_V};
@@ -175,6 +268,13 @@ int main(void) {
     measure("sound_", false);
     measure("defective_", true);
     signs();
+    walks();
+    edits("", NULL);
+    {
+        static const nook_edit careful = {.no_turn = true};
+        edits("_without_turning", &careful);
+    }
+    sewing();
 #endif
     return 0;
 }
