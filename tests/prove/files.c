@@ -181,6 +181,7 @@ static void fill_all_holes(void) {
         filled += status == NOOK_OK;
         CHECK(status == NOOK_OK || status == NOOK_DUPLICATE_EDGE || status == NOOK_DUPLICATE_TRIANGLE ||
               status == NOOK_NO_CAPACITY);
+        if (status == NOOK_NO_CAPACITY) break; /* the next corner is on the same loop */
     }
     CHECK_EQUAL(nook_check(&view, &marks, NULL, NULL, NULL, &result), NOOK_OK);
     CHECK_EQUAL(result.bad_indices + result.bad_opposites + result.bad_corners, 0);
