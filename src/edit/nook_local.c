@@ -265,11 +265,30 @@ NOOK_APART static nook_status split_vertex_status(const nook_mesh *m, uint32_t c
     return NOOK_OK;
 }
 
+/* The triangle that fills the gap at c, which faces the edge of v and x in the sector: x, then w and v as the side asks. Its
+ * first corner faces the new edge. */
+static uint32_t add_wedge(nook_mesh *m, uint32_t c, bool first, uint32_t v, uint32_t w,
+                          const nook_edit *edit) {
+    uint32_t q = 3u * m->nt, across = nook_across(m, c);
+    uint32_t x = first ? nook_prev(c) : nook_next(c), at = first ? nook_next(c) : nook_prev(c);
+    uint32_t to_v = first ? q + 2u : q + 1u, to_w = first ? q + 1u : q + 2u;
+    nook_set_triangle(m, m->nt, m->V[x], first ? w : v, first ? v : w);
+    nook_copy_attributes(edit, q, x);
+    nook_copy_attributes(edit, q + 1u, at);
+    nook_copy_attributes(edit, q + 2u, at);
+    nook_copy_color(edit, m->nt++, nook_triangle(c));
+    nook_join(m, q, NOOK_NONE);
+    nook_join(m, to_w, across);
+    nook_join(m, to_v, c);
+    m->C[v] = nook_store(to_v);
+    return q;
+}
+
 nook_status nook_split_vertex(nook_mesh *m, uint32_t c, uint32_t d, nook_point at, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     sector s;
     nook_status status = split_vertex_status(m, c, d, at, edit, &s);
-    uint32_t x, next, w = m->nv, v, open, across;
+    uint32_t x, next, w = m->nv, v, q = NOOK_NONE;
     if (status != NOOK_OK) return status;
     v = m->V[s.first];
     for (x = s.first; s.n-- > 0; x = next) {
@@ -277,34 +296,8 @@ nook_status nook_split_vertex(nook_mesh *m, uint32_t c, uint32_t d, nook_point a
         m->V[x] = nook_store(w);
     }
     nook_add_vertex(m, at, s.first);
-    open = NOOK_NONE; /* the corner that faces the new edge, until its other side is there */
-    if (c != NOOK_NONE) {
-        x = 3u * m->nt;
-        across = nook_across(m, c);
-        nook_set_triangle(m, m->nt, m->V[nook_prev(c)], w, v);
-        nook_copy_attributes(edit, x, nook_prev(c));
-        nook_copy_attributes(edit, x + 1u, nook_next(c));
-        nook_copy_attributes(edit, x + 2u, nook_next(c));
-        nook_copy_color(edit, m->nt++, nook_triangle(c));
-        nook_join(m, x + 1u, across);
-        nook_join(m, x + 2u, c);
-        nook_join(m, x, NOOK_NONE);
-        m->C[v] = nook_store(x + 2u);
-        open = x;
-    }
-    if (d != NOOK_NONE) {
-        x = 3u * m->nt;
-        across = nook_across(m, d);
-        nook_set_triangle(m, m->nt, w, m->V[nook_next(d)], v);
-        nook_copy_attributes(edit, x, nook_prev(d));
-        nook_copy_attributes(edit, x + 1u, nook_next(d));
-        nook_copy_attributes(edit, x + 2u, nook_prev(d));
-        nook_copy_color(edit, m->nt++, nook_triangle(d));
-        nook_join(m, x, across);
-        nook_join(m, x + 2u, d);
-        nook_join(m, x + 1u, open);
-        m->C[v] = nook_store(x + 2u);
-    }
+    if (c != NOOK_NONE) q = add_wedge(m, c, true, v, w, edit);
+    if (d != NOOK_NONE) nook_join(m, add_wedge(m, d, false, v, w, edit), q);
     return NOOK_OK;
 }
 

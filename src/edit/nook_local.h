@@ -54,8 +54,7 @@ nook_status nook_split_edge(nook_mesh *mesh, uint32_t c, nook_point at, const no
  * and the last of these triangles that face the edges: n(c) and p(d) are corners of v. At a border one of them may
  * be NOOK_NONE: these triangles then reach to that end of the fan, where nothing is filled, and v w is a border edge.
  * Where c or d itself faces a border edge, its new triangle has that border instead.
- * w is mesh->nv - 1, and nook_collapse() of the edge w v is the inverse: by corner 3 t of the first new triangle,
- * or, if d alone was given, 3 t + 1 (which collapses w into v all the same).
+ * w is mesh->nv - 1, and nook_collapse() of the edge w v is the inverse: by corner 3 t of the first new triangle t.
  *
  *         x1                       x1
  *     c  /|                       /|\
