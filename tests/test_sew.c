@@ -79,6 +79,7 @@ static void every_triangle_can_be_made_or_not_as_the_list_says(void) {
 
 static void a_triangle_that_cannot_be_made_says_why(void) {
     const uint32_t front[3] = {0, 1, 2}, back[3] = {0, 2, 1}, beyond[3] = {0, 1, 3};
+    const uint32_t first[3] = {3, 1, 0}, second[3] = {1, 3, 0};
     begin_shape(0);
     CHECK_EQUAL(nook_make_vertex(&b.mesh, nook_make(0, 0, 0)), NOOK_OK);
     CHECK_EQUAL(nook_make_vertex(&b.mesh, nook_make(1, 0, 0)), NOOK_OK);
@@ -87,6 +88,8 @@ static void a_triangle_that_cannot_be_made_says_why(void) {
     CHECK_EQUAL(nook_make_triangle(&b.mesh, front, NULL), NOOK_INCOHERENT_EDGE);
     CHECK_EQUAL(nook_make_triangle(&b.mesh, back, NULL), NOOK_DUPLICATE_TRIANGLE);
     CHECK_EQUAL(nook_make_triangle(&b.mesh, beyond, NULL), NOOK_INDEX_OUT_OF_RANGE);
+    CHECK_EQUAL(nook_make_triangle(&b.mesh, first, NULL), NOOK_INDEX_OUT_OF_RANGE);
+    CHECK_EQUAL(nook_make_triangle(&b.mesh, second, NULL), NOOK_INDEX_OUT_OF_RANGE);
     b.mesh.max_nt = 1;
     CHECK_EQUAL(nook_make_triangle(&b.mesh, back, NULL), NOOK_NO_CAPACITY);
     b.mesh.max_nv = 3;
@@ -324,6 +327,19 @@ static void every_hole_can_be_filled_in_three_ways(void) {
     CHECK(filled > 50);
 }
 
+/* All at one point: any ear is as good as another. */
+static void a_hole_of_no_size_is_filled_all_the_same(void) {
+    uint32_t c, v, way;
+    for (way = 0; way < 3; way++) {
+        begin_whole(6);
+        for (v = 0; v < b.mesh.nv; v++) place(v, 1, 2, 3);
+        for (c = 0; b.mesh.O[c] != c; c++) {
+        }
+        CHECK_EQUAL(nook_fill_hole(&b.mesh, c, (nook_fill_way)way, NULL), NOOK_OK);
+        tables_hold();
+    }
+}
+
 /* A hole in the plane, of any outline, is filled by ears that do not overlap: their areas add up to that of the outline. */
 static void ears_of_a_flat_hole_do_not_overlap(void) {
     static const int8_t outline[12][2] = {{0, 0}, {6, 0}, {6, 5},  {4, 5},  {4, 2},  {2, 2},
@@ -373,6 +389,9 @@ static void a_hole_that_cannot_be_filled_says_why(void) {
     add(0, 1, 2);
     CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
     CHECK_EQUAL(nook_fill_hole(&b.mesh, 1, NOOK_FILL_EARS, NULL), NOOK_DUPLICATE_TRIANGLE);
+    CHECK_EQUAL(nook_fill_hole(&b.mesh, 1, NOOK_FILL_CENTROID, NULL), NOOK_OK);
+    tables_hold();
+    CHECK_EQUAL(list_result.euler, 2);
     begin_whole(1); /* a slit has only two edges */
     c = b.mesh.O[0], nt = b.mesh.nt;
     b.mesh.O[0] = 0;
@@ -502,6 +521,17 @@ static void every_fan_gets_a_vertex_of_its_own(void) {
     CHECK(split > 1);
 }
 
+static void a_mesh_of_mostly_lonely_vertices_has_its_marks_cleared(void) {
+    uint32_t more, steps;
+    begin_shape(60);
+    add(57, 58, 59);
+    CHECK_EQUAL(nook_link(&b.mesh, NULL, NULL, NULL, &b.report, NULL), NOOK_OK);
+    memset(b.Mv, 0xFF, 8);
+    memset(b.Mt, 0xFF, 3);
+    CHECK_EQUAL(split_fans(&more, &steps), NOOK_OK);
+    CHECK(more == 0 && b.mesh.nv == 60 && b.mesh.C[0] == NOOK_STORED_NONE && b.mesh.C[57] == 0);
+}
+
 static void fans_stay_together_where_there_is_no_room(void) {
     uint32_t i, more, steps;
     nook_split_fans state;
@@ -538,11 +568,13 @@ static const test tests[] = {
     TEST(a_slit_can_be_closed_and_a_lone_triangle_not),
     TEST(every_edge_can_be_cut_where_it_reaches_the_border_and_stitched_again),
     TEST(every_hole_can_be_filled_in_three_ways),
+    TEST(a_hole_of_no_size_is_filled_all_the_same),
     TEST(ears_of_a_flat_hole_do_not_overlap),
     TEST(a_hole_that_cannot_be_filled_says_why),
     TEST(a_mesh_reversed_twice_is_as_it_was),
     TEST(one_of_two_shells_is_reversed_alone),
     TEST(every_fan_gets_a_vertex_of_its_own),
+    TEST(a_mesh_of_mostly_lonely_vertices_has_its_marks_cleared),
     TEST(fans_stay_together_where_there_is_no_room),
 };
 

@@ -178,7 +178,6 @@ void nook_swap_attributes(const nook_edit *edit, uint32_t c, uint32_t d) {
 bool nook_same_attributes(const nook_edit *edit, uint32_t c, uint32_t d) {
     const float *one = attributes_of(edit, c), *other = attributes_of(edit, d);
     uint32_t i;
-    if (one == NULL) return false;
     for (i = 0; i < edit->width; i++) {
         if (one[i] != other[i]) return false;
     }

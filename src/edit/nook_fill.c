@@ -29,10 +29,8 @@ static const nook_point *loop_point(const nook_fill *f, uint32_t i) { return &f-
 static nook_status measure(nook_fill *f) {
     nook_view view = nook_view_of(f->mesh);
     nook_point first = nook_point_at(&view, nook_next(f->c)), from, to;
-    if (nook_next(f->x) >= 3u * f->mesh->nt || f->mesh->V[nook_next(f->x)] >= f->mesh->nv ||
-        f->mesh->V[nook_prev(f->x)] >= f->mesh->nv || f->length == 3u * f->mesh->nt) {
-        return NOOK_BAD_OPPOSITE;
-    }
+    /* The vertex where it begins is where the last edge ends, or was looked at with c. */
+    if (f->mesh->V[nook_prev(f->x)] >= f->mesh->nv || f->length == 3u * f->mesh->nt) return NOOK_BAD_OPPOSITE;
     from = nook_sub(nook_point_at(&view, nook_next(f->x)), first);
     to = nook_sub(nook_point_at(&view, nook_prev(f->x)), first);
     f->centroid = nook_make(f->centroid.x + from.x, f->centroid.y + from.y, f->centroid.z + from.z);
@@ -291,11 +289,12 @@ nook_status nook_fill_step(nook_fill *f, uint32_t *units) {
 
 nook_status nook_fill_hole(nook_mesh *mesh, uint32_t c, nook_fill_way way, const nook_edit *edit) {
     nook_fill fill;
+    uint32_t units;
     nook_status status = nook_fill_begin(&fill, mesh, c, way, edit);
-    while (status == NOOK_OK && fill.phase != DONE) {
-        uint32_t units = UINT32_MAX;
+    if (status != NOOK_OK) return status;
+    do {
+        units = 1u << 12;
         status = nook_fill_step(&fill, &units);
-        if (status == NOOK_MORE) status = NOOK_OK;
-    }
+    } while (status == NOOK_MORE);
     return status;
 }
