@@ -215,6 +215,20 @@ int big_compare_normals(const nook_point p[8]) {
     return sign_of_big(&sum);
 }
 
+int compare_pieces(const nook_point p[4], uint32_t order, int *expected) {
+    static const uint8_t choice[4][8] = {{0, 1, 2, 2, 1, 3, 2, 2},
+                                         {0, 1, 3, 3, 0, 1, 2, 2},
+                                         {0, 1, 2, 2, 0, 3, 2, 2},
+                                         {0, 1, 2, 3, 2, 0, 3, 1}};
+    nook_point q[8];
+    const nook_point *one[4], *other[4];
+    uint32_t i;
+    for (i = 0; i < 8; i++) q[i] = p[choice[order % 4][i]];
+    for (i = 0; i < 4; i++) one[i] = &q[i], other[i] = &q[4 + i];
+    *expected = big_compare_normals(q);
+    return nook_compare_normals(one, other);
+}
+
 int big_volume_sign(const nook_point *p, uint32_t n) {
     uint32_t lowest[3], axis, i, t;
     for (axis = 0; axis < 3u; axis++) lowest[axis] = lowest_of(p, 3u * n, axis);

@@ -11,6 +11,9 @@ int big_orient3d(const nook_point p[4]);
 int big_orient2d(const nook_point p[3], uint32_t axis);
 int big_compare_distances(const nook_point p[4]);
 int big_compare_normals(const nook_point p[8]);
+/* nook_compare_normals() of two pieces of points 0 to 3, and what it should be: by order, triangles that share an edge, in
+ * two turns; triangles that share two points the other way; quadrilaterals. */
+int compare_pieces(const nook_point p[4], uint32_t order, int *expected);
 /* The sign of the sum of the determinants of n triangles p[0..2], p[3..5] and so on. */
 int big_volume_sign(const nook_point *p, uint32_t n);
 
