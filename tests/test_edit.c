@@ -525,6 +525,12 @@ static void any_spoiled_entry_ends_well(void) {
             if (test_has_failed()) return;
         }
     }
+    begin_shape(4); /* two triangles joined at all edges, whose third vertices differ all the same */
+    add(0, 1, 2);
+    add(0, 2, 1);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    b.mesh.V[b.mesh.O[0]] = 3;
+    CHECK_EQUAL(nook_collapse(&b.mesh, 0, nook_make(0, 0, 0), NULL), NOOK_BAD_OPPOSITE);
     begin_shape(3); /* a triangle whose own corners face each other */
     add(0, 1, 2);
     CHECK_EQUAL(link_and_check(NULL), NOOK_OK);

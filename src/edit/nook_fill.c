@@ -29,8 +29,9 @@ static const nook_point *loop_point(const nook_fill *f, uint32_t i) { return &f-
 static nook_status measure(nook_fill *f) {
     nook_view view = nook_view_of(f->mesh);
     nook_point first = nook_point_at(&view, nook_next(f->c)), from, to;
-    /* The vertex where it begins is where the last edge ends, or was looked at with c. */
-    if (f->mesh->V[nook_prev(f->x)] >= f->mesh->nv || f->length == 3u * f->mesh->nt) return NOOK_BAD_OPPOSITE;
+    uint32_t end = view.V[nook_prev(f->x)];
+    /* The vertex where the edge begins is where the last one ends, or was looked at with c. */
+    if (end >= view.nv || view.C[end] >= 3u * view.nt || f->length == 3u * view.nt) return NOOK_BAD_OPPOSITE;
     from = nook_sub(nook_point_at(&view, nook_next(f->x)), first);
     to = nook_sub(nook_point_at(&view, nook_prev(f->x)), first);
     f->centroid = nook_make(f->centroid.x + from.x, f->centroid.y + from.y, f->centroid.z + from.z);
@@ -141,8 +142,8 @@ static void look_into(nook_fill *f) {
 /* The last look: the new edge must not be there yet. The last ear has none. */
 static void look_across(nook_fill *f) {
     nook_view view = nook_view_of(f->mesh);
-    uint32_t c = nook_corner_of(&view, loop_vertex(f, f->ear));
-    if (left_over(f) > 3u && (c == NOOK_NONE || nook_is_joined(&view, c, loop_vertex(f, f->ear + 2u)))) {
+    uint32_t c = view.C[loop_vertex(f, f->ear)];
+    if (left_over(f) > 3u && nook_is_joined(&view, c, loop_vertex(f, f->ear + 2u))) {
         f->refusal = NOOK_DUPLICATE_EDGE;
     } else {
         f->most = f->quality;
@@ -215,12 +216,13 @@ static nook_status radiate(nook_fill *f) {
 static nook_status tally(nook_fill *f) {
     const nook_mesh *m = f->mesh;
     nook_view view = nook_view_of(m);
-    uint32_t v = m->V[3u * m->nt + f->at];
+    uint32_t v;
     if (f->edit == NULL || f->edit->max_valence == 0 || f->at == 3u * f->made) {
         f->at = 0;
         f->phase = JOIN;
         return NOOK_OK;
     }
+    v = m->V[3u * m->nt + f->at];
     if (f->other == 0) f->ear = 0;
     f->ear += m->V[3u * m->nt + f->other] == v;
     if (++f->other < 3u * f->made) return NOOK_OK;

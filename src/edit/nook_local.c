@@ -323,6 +323,16 @@ NOOK_APART static uint32_t count_common(const nook_view *m, uint32_t b, uint32_t
 /* Vertex v of the triangle across corner x; NOOK_NONE at a border. */
 static uint32_t apex(const nook_mesh *m, uint32_t x) { return m->O[x] == x ? NOOK_NONE : m->V[m->O[x]]; }
 
+/* Whether the triangle of c has no neighbour but across c. */
+static bool is_loose(const nook_mesh *m, uint32_t c) {
+    return nook_across(m, nook_next(c)) == NOOK_NONE && nook_across(m, nook_prev(c)) == NOOK_NONE;
+}
+
+/* Whether the triangle of o is across x. */
+static bool is_beside(const nook_mesh *m, uint32_t x, uint32_t o) {
+    return nook_triangle(m->O[x]) == nook_triangle(o);
+}
+
 /* The fans of B and C less the triangles at the edge. */
 static bool has_room_for_both(const nook_view *m, uint32_t c, const nook_edit *edit) {
     uint32_t all;
@@ -339,10 +349,12 @@ NOOK_APART static nook_status collapse_status(const nook_mesh *m, uint32_t c, co
     if (!has_room_for_both(&view, c, edit)) return NOOK_TOO_MANY_TRIANGLES;
     o = nook_across(m, c);
     if (o == NOOK_NONE) {
-        if (nook_across(m, n) == NOOK_NONE && nook_across(m, p) == NOOK_NONE) return NOOK_LAST_TRIANGLE;
+        if (is_loose(m, c)) return NOOK_LAST_TRIANGLE;
     } else {
         if (m->V[o] == m->V[c]) return NOOK_DUPLICATE_TRIANGLE;
         if (apex(m, n) == m->V[o] && apex(m, p) == m->V[o]) return NOOK_DUPLICATE_TRIANGLE;
+        if (is_beside(m, nook_next(c), o) || is_beside(m, nook_prev(c), o)) return NOOK_BAD_OPPOSITE;
+        if (is_loose(m, c) || is_loose(m, o)) return NOOK_NONMANIFOLD_VERTEX;
         if (nook_is_at_border(&view, n) && nook_is_at_border(&view, p)) return NOOK_NONMANIFOLD_VERTEX;
     }
     common = count_common(&view, n, p);

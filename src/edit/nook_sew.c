@@ -19,7 +19,7 @@ static nook_status find_partner(const nook_mesh *m, uint32_t a, uint32_t b, uint
     uint32_t x = nook_corner_of(&view, a);
     *partner = NOOK_NONE;
     if (x == NOOK_NONE) return NOOK_OK;
-    if (nook_star_begin(&star, &view, x, false) != NOOK_OK || m->V[x] != a) return NOOK_BAD_OPPOSITE;
+    if (nook_star_begin(&star, &view, x, false) != NOOK_OK) return NOOK_BAD_OPPOSITE;
     while ((x = nook_star_next(&star)) != NOOK_NONE) {
         uint32_t n = nook_next(x), p = nook_prev(x);
         if (m->V[n] == b) return m->O[p] == p ? NOOK_INCOHERENT_EDGE : NOOK_NONMANIFOLD_EDGE;
@@ -39,7 +39,11 @@ NOOK_APART static nook_status make_status(const nook_mesh *m, const uint32_t v[3
     if (m->nt == m->max_nt) return NOOK_NO_CAPACITY;
     for (i = 0; i < 3u; i++) {
         c = nook_corner_of(&view, v[i]);
-        if (c != NOOK_NONE && !nook_has_room(&view, c, 1, edit)) return NOOK_TOO_MANY_TRIANGLES;
+        if (c == NOOK_NONE) continue;
+        if (c >= 3u * m->nt || m->V[c] != v[i]) return NOOK_BAD_OPPOSITE;
+        if (!nook_has_room(&view, c, 1, edit)) return NOOK_TOO_MANY_TRIANGLES;
+    }
+    for (i = 0; i < 3u; i++) {
         status = find_partner(m, v[(i + 1u) % 3u], v[(i + 2u) % 3u], &partner[i]);
         if (status != NOOK_OK) return status;
     }

@@ -29,10 +29,12 @@ static inline uint32_t nook_halfedge(const nook_view *m, uint32_t c) {
 }
 static inline uint32_t nook_pair(uint32_t h) { return h == NOOK_NONE ? h : h ^ 1u; }
 
-/* The corner that faces the edge from the left face; NOOK_NONE on the hole side of a border. */
+/* The corner that faces the edge from the left face; NOOK_NONE on the hole side of a border, and where O names no
+ * corner. */
 static inline uint32_t nook_halfedge_corner(const nook_view *m, uint32_t h) {
-    if ((h & 1u) == 0) return h >> 1;
-    return nook_is_border(m, h >> 1) ? NOOK_NONE : nook_opposite(m, h >> 1);
+    uint32_t c = h >> 1, o = nook_opposite(m, c);
+    if ((h & 1u) == 0) return c;
+    return o == c || o >= 3u * m->nt ? NOOK_NONE : o;
 }
 
 /* Whether h names a half-edge: an id from 0 to 6 nt - 1 whose corner is the canonical one of its edge. Others
@@ -72,10 +74,10 @@ static inline uint32_t nook_rprev(const nook_view *m, uint32_t h) {
     return nook_pair(nook_prev_halfedge(m, h ^ 1u));
 }
 
-/* A half-edge that begins at vertex v, or NOOK_NONE; where to begin an origin ring. */
+/* A half-edge that begins at vertex v, or NOOK_NONE, also where C names no corner; where to begin an origin ring. */
 static inline uint32_t nook_halfedge_of_vertex(const nook_view *m, uint32_t v) {
     uint32_t c = nook_corner_of(m, v);
-    return c == NOOK_NONE ? NOOK_NONE : nook_halfedge(m, nook_prev(c));
+    return c >= 3u * m->nt ? NOOK_NONE : nook_halfedge(m, nook_prev(c));
 }
 
 #endif

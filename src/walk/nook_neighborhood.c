@@ -53,14 +53,18 @@ static nook_status next_star(nook_neighborhood *n) {
         n->ring_end = n->tail;
     }
     c = nook_corner_of(n->star.view, n->queue[n->head++]);
-    return c == NOOK_NONE ? NOOK_OK : nook_star_begin(&n->star, n->star.view, c, false);
+    if (c == NOOK_NONE) return NOOK_OK;
+    return nook_star_begin(&n->star, n->star.view, c, false) == NOOK_OK ? NOOK_OK : NOOK_BAD_OPPOSITE;
 }
 
+/* A corner has its bit in Mt, so that stars which run into each other end. */
 static nook_status visit(nook_neighborhood *n) {
     uint32_t c = nook_star_next(&n->star);
-    if (c == NOOK_NONE) return NOOK_BAD_OPPOSITE;
-    if (nook_code(n->marks.Mt, nook_triangle(c)) != 0) return NOOK_OK;
-    nook_set_code(n->marks.Mt, nook_triangle(c), 1);
+    bool met;
+    if (c == NOOK_NONE || nook_bit(n->marks.Mt, c)) return NOOK_BAD_OPPOSITE;
+    met = nook_code(n->marks.Mt, nook_triangle(c)) != 0;
+    nook_set_bit(n->marks.Mt, c);
+    if (met) return NOOK_OK;
     reach(n, n->star.view->V[nook_next(c)]);
     reach(n, n->star.view->V[nook_prev(c)]);
     n->corner = c;

@@ -35,17 +35,24 @@ static bool next_about_vertex(nook_related *list, uint32_t *element) {
     return true;
 }
 
+/* The corner across, or NOOK_NONE at a border and where O names none. */
+static uint32_t across(const nook_view *m, uint32_t c) {
+    uint32_t o = nook_opposite(m, c);
+    return o == c || o >= 3u * m->nt ? NOOK_NONE : o;
+}
+
 static uint32_t face_across(const nook_view *m, uint32_t c) {
-    return nook_is_border(m, c) ? NOOK_NONE : nook_triangle(nook_opposite(m, c));
+    uint32_t o = across(m, c);
+    return o == NOOK_NONE ? o : nook_triangle(o);
 }
 
 static uint32_t next_of_edge(const nook_view *m, nook_relation relation, uint32_t c, uint32_t i) {
-    uint32_t o = nook_opposite(m, c);
+    uint32_t o = across(m, c);
     if (relation == NOOK_EV) return m->V[i == 0 ? nook_next(c) : nook_prev(c)];
     if (relation == NOOK_EF) return i == 0 ? nook_triangle(c) : face_across(m, c);
     if (i == 0) return nook_edge(m, nook_prev(c));
     if (i == 2u) return nook_edge(m, nook_next(c));
-    if (o == c) return NOOK_NONE;
+    if (o == NOOK_NONE) return o;
     return nook_edge(m, i == 1u ? nook_next(o) : nook_prev(o));
 }
 
