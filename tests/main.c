@@ -20,6 +20,7 @@ int main(void) {
     test_walk();
     test_edit();
     test_sew();
+    test_conditions();
     test_verdict();
     test_worlds();
     test_corrupt();

@@ -44,6 +44,15 @@ static nook_status measure(nook_fill *f) {
 
 static float size_of(float x) { return x < 0 ? -x : x; }
 
+/* Which way a loop of three faces is known to the last bit. */
+static void face_exactly(nook_fill *f) {
+    nook_view view = nook_view_of(f->mesh);
+    nook_point b0 = nook_point_at(&view, nook_next(f->c)), b1 = nook_point_at(&view, nook_prev(f->c));
+    nook_point b2 = nook_point_at(&view, nook_prev(nook_border_next(&view, f->c, true)));
+    int side = nook_facing(&b2, &b1, &b0, &f->axis);
+    if (side != 0) f->side = side;
+}
+
 /* The loop is known: whether there is room, where its middle is, and which way it faces. */
 static nook_status prepare(nook_fill *f) {
     const nook_mesh *m = f->mesh;
@@ -63,6 +72,7 @@ static nook_status prepare(nook_fill *f) {
     if (size_of(n.z) > size_of(f->axis == 0 ? n.x : n.y)) f->axis = 2u;
     component = f->axis == 0 ? n.x : f->axis == 1u ? n.y : n.z;
     f->side = component < 0 ? -1 : 1;
+    if (f->length == 3u) face_exactly(f);
     if (length > 0) f->normal = nook_scaled(n, 1.0f / length);
     f->phase = centroid ? RADIATE : COLLECT;
     return NOOK_OK;

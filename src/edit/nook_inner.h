@@ -31,6 +31,10 @@ bool nook_is_at_border(const nook_view *m, uint32_t c);
 
 /* The triangles in the fan of corner c; those beyond four more than the limit are not counted. */
 uint32_t nook_count_fan(const nook_view *m, uint32_t c, const nook_edit *edit);
+/* Whether a new vertex may have so many triangles. */
+static inline bool nook_is_within(const nook_edit *edit, uint32_t triangles) {
+    return edit == NULL || edit->max_valence == 0 || triangles <= edit->max_valence;
+}
 /* Whether v(c) may come to have so many triangles more. */
 bool nook_has_room(const nook_view *m, uint32_t c, uint32_t more, const nook_edit *edit);
 
@@ -44,7 +48,7 @@ typedef struct nook_move {
  * faces every way. */
 bool nook_is_turned(const nook_edit *edit, const nook_point *a, const nook_point *b, const nook_point *c,
                     const nook_point *const p[4]);
-/* The same of triangle t against itself before a move; and of all in the fan of c but triangles a and b. */
+/* The same of triangle t against itself before a move, if that moves it; and of all in the fan of c but triangles a and b. */
 bool nook_move_turns(const nook_mesh *m, uint32_t t, const nook_move *move, const nook_edit *edit);
 bool nook_move_turns_fan(const nook_mesh *m, uint32_t c, const nook_move *move, uint32_t a, uint32_t b,
                          const nook_edit *edit);

@@ -66,6 +66,7 @@ NOOK_APART static nook_status split_triangle_status(const nook_mesh *m, uint32_t
     status = nook_triangle_status(m, 3u * t);
     if (status != NOOK_OK) return status;
     if (!has_capacity(m, 1, 2)) return NOOK_NO_CAPACITY;
+    if (!nook_is_within(edit, 3)) return NOOK_TOO_MANY_TRIANGLES;
     for (c = 3u * t; c < 3u * t + 3u; c++) {
         if (!nook_has_room(&view, c, 1, edit)) return NOOK_TOO_MANY_TRIANGLES;
         if (corner_turns(m, c, at, edit)) return NOOK_TURNED_TRIANGLE;
@@ -126,13 +127,14 @@ NOOK_APART static float along(const nook_mesh *m, uint32_t b, uint32_t c, nook_p
     return s < 0 ? 0 : s > 1 ? 1 : s;
 }
 
-/* Those of a point on the edge that c faces, as its triangle has them, at corner to. */
-static void set_attributes_between(const nook_mesh *m, uint32_t to, uint32_t c, nook_point at,
+/* Those of a point on the edge that c faces, at corner to: as the triangle of c has them, or (o) that of o(c), which sees
+ * the edge from its other end. Both reckon from the same end, so that they agree to the last bit. */
+static void set_attributes_between(const nook_mesh *m, uint32_t to, uint32_t c, bool o, nook_point at,
                                    const nook_edit *edit) {
     float w[3] = {0, 0, 0};
     if (edit == NULL || edit->attributes == NULL) return;
-    w[2] = along(m, nook_next(c), nook_prev(c), at);
-    w[1] = 1.0f - w[2];
+    w[o ? 1 : 2] = along(m, o ? nook_prev(c) : nook_next(c), o ? nook_next(c) : nook_prev(c), at);
+    w[o ? 2 : 1] = 1.0f - w[o ? 1 : 2];
     nook_blend_attributes(edit, to, c, w);
 }
 
@@ -145,6 +147,7 @@ NOOK_APART static nook_status split_edge_status(const nook_mesh *m, uint32_t c, 
     o = nook_across(m, c);
     if (o != NOOK_NONE && m->V[o] == m->V[c]) return NOOK_DUPLICATE_TRIANGLE;
     if (!has_capacity(m, 1, o == NOOK_NONE ? 1 : 2)) return NOOK_NO_CAPACITY;
+    if (!nook_is_within(edit, o == NOOK_NONE ? 2 : 4)) return NOOK_TOO_MANY_TRIANGLES;
     for (side = 0; side < (o == NOOK_NONE ? 1u : 2u); side++) {
         uint32_t x = side == 0 ? c : o;
         if (!nook_has_room(&view, x, 1, edit)) return NOOK_TOO_MANY_TRIANGLES;
@@ -163,7 +166,7 @@ nook_status nook_split_edge(nook_mesh *m, uint32_t c, nook_point at, const nook_
     y = nook_across(m, nook_next(c));
     nook_set_triangle(m, m->nt, m->V[c], v, end);
     nook_copy_attributes(edit, q, c);
-    set_attributes_between(m, q + 1u, c, at, edit);
+    set_attributes_between(m, q + 1u, c, false, at, edit);
     nook_copy_attributes(edit, q + 2u, nook_prev(c));
     nook_copy_attributes(edit, nook_prev(c), q + 1u);
     nook_copy_color(edit, m->nt++, nook_triangle(c));
@@ -176,7 +179,7 @@ nook_status nook_split_edge(nook_mesh *m, uint32_t c, nook_point at, const nook_
         nook_set_triangle(m, m->nt, m->V[o], end, v);
         nook_copy_attributes(edit, r, o);
         nook_copy_attributes(edit, r + 1u, nook_next(o));
-        set_attributes_between(m, r + 2u, o, at, edit);
+        set_attributes_between(m, r + 2u, o, true, at, edit);
         nook_copy_attributes(edit, nook_next(o), r + 2u);
         nook_copy_color(edit, m->nt++, nook_triangle(o));
         m->V[nook_next(o)] = nook_store(v);
@@ -284,12 +287,45 @@ static uint32_t add_wedge(nook_mesh *m, uint32_t c, bool first, uint32_t v, uint
     return q;
 }
 
+/* The corner of the sector in whose triangle a point is, or comes nearest to be, and its coordinates there. */
+NOOK_APART static uint32_t find_place(const nook_mesh *m, const sector *s, nook_point at, float w[3]) {
+    nook_view view = nook_view_of(m);
+    uint32_t x = s->first, n, found = NOOK_NONE;
+    float most = 0;
+    for (n = s->n; n > 0; n--, x = nook_turn(&view, x, false)) {
+        const nook_point corners[3] = {*point_of(m, x), *point_of(m, nook_next(x)),
+                                       *point_of(m, nook_prev(x))};
+        float here[3], least;
+        nook_barycentric(corners, at, here);
+        least = here[1] < here[2] ? here[1] : here[2];
+        if (found != NOOK_NONE && !(least > most)) continue;
+        found = x;
+        most = least;
+        memcpy(w, here, sizeof here);
+    }
+    return found;
+}
+
+/* The new vertex has the attributes of a place in the triangle of x; those of its corners beyond a crease stay. */
+static void place_attributes(const nook_mesh *m, uint32_t x, const float w[3], const nook_edit *edit) {
+    nook_view view = nook_view_of(m);
+    nook_star star;
+    uint32_t y;
+    (void)nook_star_begin(&star, &view, x, false);
+    while ((y = nook_star_next(&star)) != NOOK_NONE) {
+        if (y != x && nook_same_attributes(edit, x, y)) nook_blend_attributes(edit, y, x, w);
+    }
+    nook_blend_attributes(edit, x, x, w);
+}
+
 nook_status nook_split_vertex(nook_mesh *m, uint32_t c, uint32_t d, nook_point at, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     sector s;
     nook_status status = split_vertex_status(m, c, d, at, edit, &s);
-    uint32_t x, next, w = m->nv, v, q = NOOK_NONE;
+    uint32_t x, next, w = m->nv, v, q = NOOK_NONE, place = NOOK_NONE;
+    float weights[3];
     if (status != NOOK_OK) return status;
+    if (edit != NULL && edit->attributes != NULL) place = find_place(m, &s, at, weights);
     v = m->V[s.first];
     for (x = s.first; s.n-- > 0; x = next) {
         next = nook_turn(&view, x, false);
@@ -298,6 +334,7 @@ nook_status nook_split_vertex(nook_mesh *m, uint32_t c, uint32_t d, nook_point a
     nook_add_vertex(m, at, s.first);
     if (c != NOOK_NONE) q = add_wedge(m, c, true, v, w, edit);
     if (d != NOOK_NONE) nook_join(m, add_wedge(m, d, false, v, w, edit), q);
+    if (place != NOOK_NONE) place_attributes(m, place, weights, edit);
     return NOOK_OK;
 }
 
@@ -375,11 +412,12 @@ NOOK_APART static void merge_attributes(nook_mesh *m, uint32_t c, nook_point at,
     nook_view view = nook_view_of(m);
     uint32_t o = nook_across(m, c), end, x;
     if (edit == NULL || edit->attributes == NULL) return;
-    set_attributes_between(m, c, c, at, edit);
-    if (o != NOOK_NONE) set_attributes_between(m, o, o, at, edit);
+    set_attributes_between(m, c, c, false, at, edit);
+    if (o != NOOK_NONE) set_attributes_between(m, o, o, true, at, edit);
     for (end = 0; end < 2u; end++) {
-        uint32_t here = end == 0 ? nook_next(c) : nook_prev(c),
-                 there = end == 0 ? nook_prev(o) : nook_next(o);
+        uint32_t here = end == 0 ? nook_next(c) : nook_prev(c), there = o == NOOK_NONE ? o
+                                                                        : end == 0     ? nook_prev(o)
+                                                                                       : nook_next(o);
         nook_star star;
         (void)nook_star_begin(&star, &view, here, false);
         while ((x = nook_star_next(&star)) != NOOK_NONE) {

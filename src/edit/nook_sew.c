@@ -55,7 +55,6 @@ NOOK_APART static nook_status make_status(const nook_mesh *m, const uint32_t v[3
 }
 
 nook_status nook_make_triangle(nook_mesh *m, const uint32_t v[3], const nook_edit *edit) {
-    nook_view view = nook_view_of(m);
     uint32_t partner[3], i, c = 3u * m->nt, from;
     nook_status status = make_status(m, v, partner, edit);
     const nook_point *none[4];
@@ -66,11 +65,11 @@ nook_status nook_make_triangle(nook_mesh *m, const uint32_t v[3], const nook_edi
     nook_new_triangle(m->nt, edit);
     nook_set_triangle(m, m->nt++, v[0], v[1], v[2]);
     for (i = 0; i < 3u; i++, c++) {
-        uint32_t o = partner[i], other = partner[(i + 1u) % 3u];
+        uint32_t o = partner[i], before = partner[(i + 1u) % 3u], after = partner[(i + 2u) % 3u];
         nook_join(m, c, o);
         /* Corner i meets those at the other two edges, if they are there. */
-        from = other != NOOK_NONE ? nook_next(other) : nook_corner_of(&view, v[i]);
-        if (from != NOOK_NONE) nook_copy_attributes(edit, c, from);
+        from = before != NOOK_NONE ? nook_next(before) : after != NOOK_NONE ? nook_prev(after) : c;
+        nook_copy_attributes(edit, c, from);
         if (o != NOOK_NONE) nook_copy_color(edit, m->nt - 1u, nook_triangle(o));
         if (m->C[v[i]] == NOOK_STORED_NONE) m->C[v[i]] = nook_store(c);
     }
