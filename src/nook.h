@@ -29,8 +29,8 @@
  * marks, and views except in walk; all else it is given must stay until the end. Between steps nobody else may write the tables or the marks, and results say
  * nothing before NOOK_OK. A weld or link that is given up leaves the tables half done.
  * Each header says what a unit is and the most instructions it costs. States are at most 256
- * bytes. Nothing recurses. The worst stack, helpers of the compiler included, is 730 bytes on Cortex-M0 and 690 on
- * M4F (nook_stitch, nook_merge_edges; 460 to 710 for other edits that may move a point), 650 for one-call nook_check, which holds its
+ * bytes. Nothing recurses. The worst stack, helpers of the compiler included, is 770 bytes on Cortex-M0 and 740 on
+ * M4F (nook_split_vertex; 480 to 750 for other edits that may move a point), 650 for one-call nook_check, which holds its
  * state there, 500 for one-call nook_link, 460 for a step of check and for the STL and number parsers, 410 for a step
  * of geometry, 310 and less for all others; `make stack` prints it
  * function by function.

@@ -782,15 +782,30 @@ static void every_hole_of_a_flat_mesh_is_filled_by_ears_that_face_up(void) {
     CHECK(holes > rounds);
 }
 
-/* A hole of three edges can only be filled the way that it faces, however thin it is. Floats do not see this area, which
- * is 8191 * 4097 - 8193 * 4096 = -1. */
+/* A ring of triangles about a hole of three edges, 0 1 2. */
+static const uint8_t ring[] = {1, 0, 3, 2, 1, 4, 0, 2, 5, 3, 0, 5, 4, 1, 3, 5, 2, 4};
+
+/* It can only be filled the way that it faces, however thin it is. Floats do not see this area, which is
+ * 8191 * 4097 - 8193 * 4096 = -1. */
 static void a_hole_of_three_edges_is_filled_if_it_has_area(void) {
-    static const uint8_t list[] = {1, 0, 3, 2, 1, 4, 0, 2, 5, 3, 0, 5, 4, 1, 3, 5, 2, 4};
     static const float xy[] = {0, 0, 8191, 8193, 4096, 4097, 8191, 0, 8191, 8195, 0, 8195};
     attempt a = {.what = FILL_FAN};
-    draw(xy, 6, list, 6);
+    draw(xy, 6, ring, 6);
     a.c = facing(1, 0);
     for (; a.what <= FILL_EARS; a.what += FILL_EARS - FILL_FAN) CHECK_EQUAL(asked(&a), NOOK_OK);
+}
+
+/* Seen along x this one has hardly any area, and rounding takes the centroid out of it. */
+static void a_hole_is_seen_along_the_axis_that_it_mostly_faces(void) {
+    static const float xy[] = {0, 8, 0x1.fffffep1f, 0x1.000002p3f, 4, 12, 9, 0, 9, 9, -9, 9};
+    attempt a = {.what = FILL_CENTROID};
+    draw(xy, 6, ring, 6);
+    b.mesh.G[0].z = 0x1.fffffep1f;
+    b.mesh.G[1].z = 0x1.000002p2f;
+    b.mesh.G[2].z = 0x1.400002p2f;
+    keep();
+    a.c = facing(1, 0);
+    CHECK_EQUAL(asked(&a), NOOK_OK);
 }
 
 /* ---- valence -------------------------------------------------------------------------------------------------- */
@@ -978,16 +993,30 @@ static bool collapse_keeps_crease(attempt *a) {
     return true;
 }
 
+/* Whether no triangle at vertex v is so thin that floats hardly know what is inside. */
+static bool has_good_triangles(uint32_t v) {
+    uint32_t c;
+    for (c = 0; c < 3 * b.mesh.nt; c++) {
+        nook_point p = b.mesh.G[v], q, r;
+        if (b.mesh.V[c] != v) continue;
+        q = nook_sub(b.mesh.G[b.mesh.V[nook_next(c)]], p);
+        r = nook_sub(b.mesh.G[b.mesh.V[nook_prev(c)]], p);
+        if (nook_length(nook_cross(q, r)) < 0.01f * (nook_dot(q, q) + nook_dot(r, r))) return false;
+    }
+    return true;
+}
+
 static bool same_place(uint32_t c, uint32_t d) {
     return memcmp(&b.mesh.G[b.mesh.V[c]], &b.mesh.G[b.mesh.V[d]], sizeof(nook_point)) == 0;
 }
 
 /* Whether the attributes that are there decide what the new ones are. */
 static bool keeps_crease(attempt *a) {
-    uint32_t first = color_at(a->v[0]);
+    uint32_t first = color_at(a->v[0]), n = b.mesh.V[nook_next(a->c)];
     switch (a->what) {
     case FLIP: return color[a->c / 3] == color[b.mesh.O[a->c] / 3];
-    case SPLIT_VERTEX: return false; /* a test of its own */
+    case SPLIT_TRIANGLE: return has_good_triangles(n);
+    case SPLIT_VERTEX: return color_at(n) != 0 && has_good_triangles(n);
     case COLLAPSE:
     case MERGE: return collapse_keeps_crease(a);
     case REMOVE_VERTEX: return color_at(b.mesh.V[a->c]) != 0;
@@ -1001,11 +1030,12 @@ static bool keeps_crease(attempt *a) {
     }
 }
 
-/* A place in the triangle of c, or on the edge that it faces. */
+/* A place in the triangle of c, near the vertex that is to be split; or on the edge that it faces. */
 static nook_point throw_place_of_sheet(dice *d, const attempt *a) {
     nook_point p = b.mesh.G[b.mesh.V[a->c]], q = b.mesh.G[b.mesh.V[nook_next(a->c)]],
                r = b.mesh.G[b.mesh.V[nook_prev(a->c)]];
     uint32_t s = throw_dice(d, 4);
+    if (a->what == SPLIT_VERTEX) return middle(q, middle(q, middle(p, r)));
     if (a->what == SPLIT_TRIANGLE) return s == 0 ? middle(middle(p, q), r) : middle(middle(q, r), p);
     if (a->what == COLLAPSE && s == 0) return throw_dice(d, 2) == 0 ? q : r;
     return s == 1 ? middle(q, middle(q, r)) : middle(q, r);
@@ -1052,7 +1082,7 @@ static void attributes_stay_a_function_of_the_place(void) {
         }
     }
     if (SMALL || test_has_failed()) return;
-    for (what = 0; what < OPERATORS; what++) CHECK(done[what] > 40 || what == SPLIT_VERTEX);
+    for (what = 0; what < OPERATORS; what++) CHECK(done[what] > 40);
 }
 
 /* A fan of three triangles about 0, in any order, with any of its corners first in each. */
@@ -1197,6 +1227,33 @@ static void the_new_vertex_of_a_vertex_split_has_the_attributes_of_its_place(voi
         CHECK_EQUAL(carry_out(&a, &edit), NOOK_OK);
         attributes_are_of_their_place();
     }
+}
+
+/* On a crease the corners of the side where it is go along; those of the other side stay as they were. */
+static void a_vertex_split_on_a_crease_changes_one_side(void) {
+    attempt a = {.what = SPLIT_VERTEX};
+    uint32_t c, sides = 0;
+    nook_point place;
+    nook_edit edit;
+    width = 1;
+    edit = with_data();
+    begin_sheet(true);
+    place = b.mesh.G[6];
+    a.c = facing(6, 12);
+    a.d = facing(0, 6);
+    a.at = nook_make(place.x - 1, place.y + 1, 0);
+    edit.no_turn = false;
+    CHECK_EQUAL(carry_out(&a, &edit), NOOK_OK);
+    for (c = 0; c < 3 * b.mesh.nt; c++) {
+        nook_point p = b.mesh.G[b.mesh.V[c]];
+        bool moved = false;
+        if (p.x != a.at.x || p.y != a.at.y) continue;
+        moved = attribute[c] - value(color[c / 3], 0, p) < 0.02f &&
+                value(color[c / 3], 0, p) - attribute[c] < 0.02f;
+        if (!moved) CHECK(attribute[c] == value(color[c / 3], 0, place));
+        sides |= moved ? 1u : 2u;
+    }
+    CHECK_EQUAL(sides, 3);
 }
 
 /* ---- barycentric coordinates ------------------------------------------------------------------------------------ */
@@ -1440,7 +1497,7 @@ static void a_client_of_the_callbacks_knows_everyone_after_thousands_of_edits(vo
         }
     }
     CHECK_EQUAL(edits, 2000);
-    for (what = 0; what < OPERATORS && !test_has_failed(); what++) CHECK(done[what] > 20);
+    for (what = 0; what < OPERATORS && !test_has_failed(); what++) CHECK(done[what] > 10);
 }
 
 /* Three fans on one vertex. */
@@ -1480,6 +1537,7 @@ static const test tests[] = {
     TEST(a_triangle_without_area_that_an_edit_leaves_alone_is_not_in_its_way),
     TEST(every_hole_of_a_flat_mesh_is_filled_by_ears_that_face_up),
     TEST(a_hole_of_three_edges_is_filled_if_it_has_area),
+    TEST(a_hole_is_seen_along_the_axis_that_it_mostly_faces),
     TEST(no_vertex_comes_to_have_more_triangles_than_the_limit),
     TEST(a_limit_holds_for_the_new_vertex_of_a_split_as_well),
     TEST(attributes_stay_a_function_of_the_place),
@@ -1488,6 +1546,7 @@ static const test tests[] = {
     TEST(attributes_of_a_place_off_the_edge_are_of_the_nearest_on_it),
     TEST(a_made_triangle_takes_the_attributes_of_the_corners_it_meets),
     TEST(the_new_vertex_of_a_vertex_split_has_the_attributes_of_its_place),
+    TEST(a_vertex_split_on_a_crease_changes_one_side),
     TEST(barycentric_coordinates_give_the_point_back_at_any_scale),
     TEST(barycentric_coordinates_of_no_area_are_a_third_each),
     TEST(a_client_of_the_callbacks_knows_everyone_after_thousands_of_edits),

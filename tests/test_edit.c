@@ -511,7 +511,7 @@ static void try_spoiled(nook_index *entry, uint32_t value) {
 }
 
 static void any_spoiled_entry_ends_well(void) {
-    uint32_t k, i, value, step = NOOK_TEST_RAM < 2000000 ? 7 : 1;
+    uint32_t k, i, c, value, step = NOOK_TEST_RAM < 2000000 ? 7 : 1;
     for (k = 0; k < 3; k++) { /* the first is open */
         if (!begin_whole(k)) continue;
         if (k == 1) CHECK_EQUAL(nook_split_triangle(&b.mesh, 1, nook_make(3, 3, 3), NULL), NOOK_OK);
@@ -530,6 +530,10 @@ static void any_spoiled_entry_ends_well(void) {
     add(0, 2, 1);
     CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
     b.mesh.V[b.mesh.O[0]] = 3;
+    CHECK_EQUAL(nook_collapse(&b.mesh, 0, nook_make(0, 0, 0), NULL), NOOK_BAD_OPPOSITE);
+    c = b.mesh.O[1];
+    b.mesh.O[1] = 1;
+    b.mesh.O[c] = nook_store(c);
     CHECK_EQUAL(nook_collapse(&b.mesh, 0, nook_make(0, 0, 0), NULL), NOOK_BAD_OPPOSITE);
     begin_shape(3); /* a triangle whose own corners face each other */
     add(0, 1, 2);

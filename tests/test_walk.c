@@ -677,6 +677,24 @@ static void an_isolated_seed_has_no_rings(void) {
     CHECK_EQUAL(n.tail, 3);
 }
 
+/* O that names no corner is as good as a border for what looks across. */
+static void nothing_lies_across_an_opposite_that_does_not_exist(void) {
+    nook_view v;
+    nook_related all;
+    uint32_t element, n;
+    tetrahedron();
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    b.mesh.O[0] = nook_store(3 * b.mesh.nt);
+    v = nook_view_of(&b.mesh);
+    CHECK_EQUAL(nook_halfedge_corner(&v, 1), NOOK_NONE);
+    CHECK_EQUAL(nook_left_face(&v, 1), NOOK_NONE);
+    CHECK_EQUAL(nook_related_begin(&all, &v, NOOK_EF, 0), NOOK_OK);
+    for (n = 0; nook_related_next(&all, &element); n++) CHECK_EQUAL(element, n == 0 ? 0 : NOOK_NONE);
+    CHECK_EQUAL(n, 2);
+    b.mesh.C[0] = nook_store(3 * b.mesh.nt);
+    CHECK_EQUAL(nook_halfedge_of_vertex(&v, 0), NOOK_NONE);
+}
+
 static const test tests[] = {
     TEST(a_star_is_the_fan_of_its_corner_each_triangle_once),
     TEST(all_corners_of_a_vertex_are_found_in_all_its_fans),
@@ -697,6 +715,7 @@ static const test tests[] = {
     TEST(walks_say_where_tables_do_not_hold),
     TEST(an_isolated_seed_has_no_rings),
     TEST(walks_over_spoiled_tables_end_in_time),
+    TEST(nothing_lies_across_an_opposite_that_does_not_exist),
 };
 
 void test_walk(void) { run_tests(tests, sizeof tests / sizeof *tests); }

@@ -85,7 +85,8 @@ bool nook_move_turns_fan(const nook_mesh *m, uint32_t c, const nook_move *move, 
     nook_view view = nook_view_of(m);
     nook_star star;
     uint32_t x, t;
-    if (edit == NULL || !edit->no_turn || nook_star_begin(&star, &view, c, false) != NOOK_OK) return false;
+    if (edit == NULL || !edit->no_turn) return false;
+    (void)nook_star_begin(&star, &view, c, false);
     while ((x = nook_star_next(&star)) != NOOK_NONE) {
         t = nook_triangle(x);
         if (t != a && t != b && nook_move_turns(m, t, move, edit)) return true;
@@ -189,7 +190,6 @@ bool nook_same_attributes(const nook_edit *edit, uint32_t c, uint32_t d) {
 void nook_blend_attributes(const nook_edit *edit, uint32_t to, uint32_t c, const float w[3]) {
     float *at = attributes_of(edit, to), *a, *b;
     uint32_t i;
-    if (at == NULL) return;
     a = attributes_of(edit, nook_next(c));
     b = attributes_of(edit, nook_prev(c));
     for (i = 0; i < edit->width; i++) at[i] = attributes_of(edit, c)[i] * w[0] + a[i] * w[1] + b[i] * w[2];

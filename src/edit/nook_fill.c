@@ -49,7 +49,8 @@ static void face_exactly(nook_fill *f) {
     nook_view view = nook_view_of(f->mesh);
     nook_point b0 = nook_point_at(&view, nook_next(f->c)), b1 = nook_point_at(&view, nook_prev(f->c));
     nook_point b2 = nook_point_at(&view, nook_prev(nook_border_next(&view, f->c, true)));
-    int side = nook_facing(&b2, &b1, &b0, &f->axis);
+    int side = nook_orient2d(&b2, &b1, &b0, f->axis);
+    if (side == 0) side = nook_facing(&b2, &b1, &b0, &f->axis);
     if (side != 0) f->side = side;
 }
 
@@ -305,7 +306,7 @@ nook_status nook_fill_hole(nook_mesh *mesh, uint32_t c, nook_fill_way way, const
     nook_status status = nook_fill_begin(&fill, mesh, c, way, edit);
     if (status != NOOK_OK) return status;
     do {
-        units = 1u << 12;
+        units = 64; /* any number gives the same */
         status = nook_fill_step(&fill, &units);
     } while (status == NOOK_MORE);
     return status;

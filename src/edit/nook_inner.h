@@ -88,7 +88,7 @@ void nook_copy_attributes(const nook_edit *edit, uint32_t to, uint32_t from);
 void nook_swap_attributes(const nook_edit *edit, uint32_t c, uint32_t d);
 /* Where there are any. */
 bool nook_same_attributes(const nook_edit *edit, uint32_t c, uint32_t d);
-/* Those of corner to become w0 times those of c, w1 of n(c) and w2 of p(c); any of the three may be to. */
+/* Where there are any: those of corner to become w0 times those of c, w1 of n(c) and w2 of p(c); any of the three may be to. */
 void nook_blend_attributes(const nook_edit *edit, uint32_t to, uint32_t c, const float w[3]);
 /* Those of corner to grow by weight times those of another. */
 void nook_add_attributes(const nook_edit *edit, uint32_t to, uint32_t from, float weight);

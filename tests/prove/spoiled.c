@@ -14,16 +14,16 @@
  *   corners, half-edges and triangles that walk gives exist
  *   an edit that refuses has changed no byte of the mesh, of colors and attributes, and told nobody of a change;
  *   only the unused ends of the arrays may differ
+ *   an edit is not carried out at a triangle whose own entries of V and O do not hold
  * C is right, or names nothing, corners that do not exist, or those of another vertex. Edits ask for nothing, or for
- * no turn, at most 5 triangles at a vertex, colors and attributes. Points are in general position, or NaN, infinite
- * and huge.
+ * no turn, at most 5 triangles at a vertex, colors and attributes. Points are ordinary, or NaN, infinite and huge.
  *
- * usage: spoiled [small | large]. `small`, for sanitizers, takes few of the tables, `large` tries each O of two
- * triangles with every C and every kind of edit. */
-#include <float.h>
+ * usage: spoiled [small | large]. `small`, for sanitizers, takes one in 13 of the tables of two triangles and fewer
+ * faults; `large` tries each O of two triangles with every C and every kind of edit, 32 times as many. */
 #include <stdio.h>
 #include <string.h>
 
+#include "bounds.h"
 #include "check.h"
 #include "nook.h"
 #include "nook_port.h"
@@ -368,7 +368,28 @@ static void try_corners_of_vertices(void) {
     }
 }
 
-/* ---- walk: searches -------------------------------------------------------------------------------- */
+/* ---- steps ----------------------------------------------------------------------------------------- */
+
+/* nook_flood.h: 3 nt hops, 1 a component, 1 for every triangle tried as a root, and the bytes of marks; */
+static uint32_t flood_bound(void) { return 5 * spoiled.nt + (uint32_t)NOOK_MT_BYTES(spoiled.nt); }
+/* nt for clearing and 1 a triangle; */
+static uint32_t rings_bound(void) { return 2 * spoiled.nt; }
+/* 9 nt where O holds other bits, and less than 6 nt log2 nt more, rounded up. */
+static uint32_t components_bound(void) { return (9 + 6 * log2_rounded_up(spoiled.nt)) * spoiled.nt; }
+
+/* nook_neighborhood.h: the bytes of marks, 3 nt + nv. */
+static uint32_t neighborhood_bound(void) {
+    return (uint32_t)(NOOK_MT_BYTES(spoiled.nt) + NOOK_MV_BYTES(spoiled.nv)) + nc() + spoiled.nv;
+}
+
+/* nook_whole.h: less than 13 nt + nv / 4 + 8. */
+static uint32_t split_fans_bound(void) { return 13 * spoiled.nt + spoiled.nv / 4 + 7; }
+
+/* nook_fill.h: for L edges less than 10 L; with ears L (L - 1) and half of L^3 more; with a limit (3 L)^2 more. */
+static uint32_t fill_bound(uint32_t L, nook_fill_way way) {
+    return 10 * L - 1 + (way == NOOK_FILL_EARS ? L * (L - 1) + L * L * L / 2 : 0) +
+           ((with.edit & LIMIT) != 0 ? 9 * L * L : 0);
+}
 
 static uint32_t bound, units; /* the most steps, and what is left of one more */
 static void begin_steps(uint32_t most) {
@@ -377,7 +398,8 @@ static void begin_steps(uint32_t most) {
 }
 static uint32_t steps_taken(void) { return bound + 1 - units; }
 
-/* 3 nt hops, one a component, one a root that is tried, and the marks. */
+/* ---- walk: searches -------------------------------------------------------------------------------- */
+
 static void run_flood(uint32_t seed) {
     nook_flood flood;
     nook_status status = nook_flood_begin(&flood, &view, &marks, seed);
@@ -385,7 +407,7 @@ static void run_flood(uint32_t seed) {
     EXPECT(status == (exists(seed, spoiled.nt) ? NOOK_OK : NOOK_INDEX_OUT_OF_RANGE));
     if (status != NOOK_OK) return;
     memset(marks.Mv, 0, NOOK_MV_BYTES(spoiled.nv));
-    begin_steps(5 * spoiled.nt + (uint32_t)NOOK_MT_BYTES(spoiled.nt));
+    begin_steps(flood_bound());
     while ((status = nook_flood_step(&flood, &units)) == NOOK_TRIANGLE) {
         entered++;
         EXPECT(flood.corner < nc() && flood.component < spoiled.nt);
@@ -401,7 +423,7 @@ static void run_rings(uint32_t seed) {
     uint32_t i;
     EXPECT(status == (seed < spoiled.nt ? NOOK_OK : NOOK_INDEX_OUT_OF_RANGE));
     if (status != NOOK_OK) return;
-    begin_steps(2 * spoiled.nt);
+    begin_steps(rings_bound());
     EXPECT(nook_rings_step(&rings, &units) == NOOK_OK);
     EXPECT(steps_taken() <= bound && rings.tail >= 1 && rings.tail <= spoiled.nt);
     for (i = 1; i < rings.tail; i++) {
@@ -409,13 +431,11 @@ static void run_rings(uint32_t seed) {
     }
 }
 
-/* 9 nt and 6 nt log2 nt, rounded up. */
 static void run_components(void) {
     nook_components sets;
-    uint32_t t, power = 0;
-    while (1u << power < spoiled.nt) power++;
+    uint32_t t;
     EXPECT(nook_components_begin(&sets, &view, of_triangles) == NOOK_OK);
-    begin_steps((9 + 6 * power) * spoiled.nt);
+    begin_steps(components_bound());
     EXPECT(nook_components_step(&sets, &units) == NOOK_OK);
     EXPECT(steps_taken() <= bound && sets.count >= 1 && sets.count <= spoiled.nt);
     for (t = 0; t < spoiled.nt; t++) EXPECT(of_triangles[t] < sets.count);
@@ -440,7 +460,7 @@ static void run_neighborhood(nook_where seed) {
     uint32_t given = 0, ring = 1;
     EXPECT(status == (seed.index < end_of(seed.kind) ? NOOK_OK : NOOK_INDEX_OUT_OF_RANGE));
     if (status != NOOK_OK) return;
-    begin_steps((uint32_t)(NOOK_MT_BYTES(spoiled.nt) + NOOK_MV_BYTES(spoiled.nv)) + nc() + spoiled.nv);
+    begin_steps(neighborhood_bound());
     for (; (status = nook_neighborhood_step(&n, &units)) == NOOK_TRIANGLE; given++, ring = n.ring) {
         EXPECT(n.corner < nc() && n.ring >= ring && n.ring <= spoiled.nv);
     }
@@ -464,6 +484,22 @@ static void try_neighborhoods(void) {
 static struct { uint32_t tables, calls, done; } count;
 static bool goes_on; /* edits build on each other */
 
+/* Whether V and O of the triangle of corner c lead to vertices and corners that exist, and back. */
+static bool holds(uint32_t c) {
+    uint32_t i;
+    if (c >= nc()) return false;
+    for (i = c - c % 3; i < c - c % 3 + 3; i++) {
+        if (spoiled.V[i] >= spoiled.nv || spoiled.O[i] >= nc() || spoiled.O[spoiled.O[i]] != i) return false;
+    }
+    return true;
+}
+
+/* The next corner counter-clockwise about the same vertex, if there is one. */
+static uint32_t turned(uint32_t c) {
+    uint32_t o = c >= nc() ? NOOK_NONE : spoiled.O[c - c % 3 + (c + 1) % 3];
+    return o >= nc() ? NOOK_NONE : o - o % 3 + (o + 1) % 3;
+}
+
 /* The mesh as it was if the edit refuses. */
 static void settle(nook_status status) {
     const nook_mesh *m = &here->mesh;
@@ -482,41 +518,53 @@ static void settle(nook_status status) {
     }
 }
 
+/* The same of an edit at the triangle of corner c. */
+static void settle_at(nook_status status, uint32_t c) {
+    EXPECT(status != NOOK_OK || holds(c));
+    settle(status);
+}
+
 typedef void operator_of_two(uint32_t x, uint32_t y);
 
 static void flip(uint32_t c, uint32_t unused) {
     (void)unused;
     begin_call("nook_flip", c, 0, 0);
-    settle(nook_flip(&here->mesh, c, edit));
+    settle_at(nook_flip(&here->mesh, c, edit), c);
 }
 static void split_triangle(uint32_t t, uint32_t unused) {
     (void)unused;
     begin_call("nook_split_triangle", t, 0, 0);
-    settle(nook_split_triangle(&here->mesh, t, point(t + 2), edit));
+    settle_at(nook_split_triangle(&here->mesh, t, point(t + 2), edit), 3 * t);
 }
 static void split_edge(uint32_t c, uint32_t unused) {
     (void)unused;
     begin_call("nook_split_edge", c, 0, 0);
-    settle(nook_split_edge(&here->mesh, c, point(c + 1), edit));
+    settle_at(nook_split_edge(&here->mesh, c, point(c + 1), edit), c);
 }
 static void split_vertex(uint32_t c, uint32_t e) {
     begin_call("nook_split_vertex", c, e, 0);
-    settle(nook_split_vertex(&here->mesh, c, e, point(c + e), edit));
+    settle_at(nook_split_vertex(&here->mesh, c, e, point(c + e), edit), c != NOOK_NONE ? c : e);
 }
 static void collapse(uint32_t c, uint32_t unused) {
     (void)unused;
     begin_call("nook_collapse", c, 0, 0);
-    settle(nook_collapse(&here->mesh, c, point(c), edit));
+    settle_at(nook_collapse(&here->mesh, c, point(c), edit), c);
 }
 static void merge_edges(uint32_t c, uint32_t unused) {
     (void)unused;
     begin_call("nook_merge_edges", c, 0, 0);
-    settle(nook_merge_edges(&here->mesh, c, edit));
+    settle_at(nook_merge_edges(&here->mesh, c, edit), c);
 }
 static void remove_vertex(uint32_t v, uint32_t unused) {
+    nook_status status;
     (void)unused;
     begin_call("nook_remove_vertex", v, 0, 0);
-    settle(nook_remove_vertex(&here->mesh, v, edit));
+    status = nook_remove_vertex(&here->mesh, v, edit);
+    if (status == NOOK_OK && v < spoiled.nv && spoiled.C[v] != NOOK_STORED_NONE) {
+        uint32_t c = spoiled.C[v], q = turned(c);
+        EXPECT(holds(c) && holds(q) && holds(turned(q)));
+    }
+    settle(status);
 }
 static void make_vertex(uint32_t v, uint32_t unused) {
     (void)unused;
@@ -536,25 +584,19 @@ static void make_triangles(uint32_t v, uint32_t w) {
 static void remove_triangle(uint32_t t, uint32_t unused) {
     (void)unused;
     begin_call("nook_remove_triangle", t, 0, 0);
-    settle(nook_remove_triangle(&here->mesh, t, edit));
+    settle_at(nook_remove_triangle(&here->mesh, t, edit), 3 * t);
 }
 static void stitch(uint32_t c, uint32_t e) {
     begin_call("nook_stitch", c, e, 0);
-    settle(nook_stitch(&here->mesh, c, e, edit));
+    settle_at(nook_stitch(&here->mesh, c, e, edit), e);
 }
 static void cut(uint32_t c, uint32_t unused) {
     (void)unused;
     begin_call("nook_cut", c, 0, 0);
-    settle(nook_cut(&here->mesh, c, edit));
+    settle_at(nook_cut(&here->mesh, c, edit), c);
 }
 
 /* ---- edit: in steps -------------------------------------------------------------------------------- */
-
-/* For L edges less than 10 L; with ears L (L - 1) and half of L^3 more; with a limit (3 L)^2 more. */
-static uint32_t fill_bound(uint32_t L, nook_fill_way way) {
-    return 10 * L - 1 + (way == NOOK_FILL_EARS ? L * (L - 1) + L * L * L / 2 : 0) +
-           ((with.edit & LIMIT) != 0 ? 9 * L * L : 0);
-}
 
 /* A loop that turns out to be none has been followed for one edge more than it is long. */
 static void run_fill(uint32_t c, nook_fill_way way) {
@@ -565,7 +607,7 @@ static void run_fill(uint32_t c, nook_fill_way way) {
         status = nook_fill_step(&fill, &units);
         EXPECT(status != NOOK_MORE && steps_taken() <= fill_bound(fill.length + 1, way));
     }
-    settle(status);
+    settle_at(status, c);
     if (status != NOOK_OK) load(here);
 }
 
@@ -591,7 +633,7 @@ static void split_fans(uint32_t unused, uint32_t unused_too) {
     (void)unused, (void)unused_too;
     begin_call("nook_split_fans", 0, 0, 0);
     status = nook_split_fans_begin(&s, &here->mesh, &marks, edit);
-    begin_steps(13 * spoiled.nt + spoiled.nv / 4 + 7);
+    begin_steps(split_fans_bound());
     if (status == NOOK_OK) status = nook_split_fans_step(&s, &units);
     EXPECT(status != NOOK_MORE && steps_taken() <= bound);
     settle(status);
