@@ -422,6 +422,37 @@ static void thousands_of_mixed_edits_keep_a_mesh_whole(void) {
     for (k = 0; k < 5; k++) CHECK(done[k] > steps / 20);
 }
 
+/* Geometry included: new points are means, and every other edit must turn no triangle over. */
+static void a_thousand_edits_have_one_digest_on_all_machines(void) {
+    static const nook_edit careful = {.no_turn = true};
+    dice d = {4u};
+    nook_view view;
+    uint32_t step, carried = 0;
+    torus(4, 5);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    b.mesh.max_nv = b.mesh.max_nt = MOST;
+    for (step = 0; step < 1000; step++) {
+        uint32_t c = throw_dice(&d, 3 * b.mesh.nt), what = throw_dice(&d, 8);
+        const nook_edit *edit = step % 2 == 0 ? &careful : NULL;
+        nook_point p, q, at;
+        view = nook_view_of(&b.mesh);
+        p = nook_point_at(&view, nook_next(c)), q = nook_point_at(&view, nook_prev(c));
+        at = nook_make((p.x + q.x) * 0.5f, (p.y + q.y) * 0.5f, (p.z + q.z) * 0.3f);
+        carried += (what == 0   ? nook_flip(&b.mesh, c, edit)
+                    : what == 1 ? nook_split_triangle(&b.mesh, c / 3, at, edit)
+                    : what == 2 ? nook_split_edge(&b.mesh, c, at, edit)
+                    : what == 3 ? nook_collapse(&b.mesh, c, at, edit)
+                    : what == 4 ? nook_split_vertex(&b.mesh, c, nook_prev(c), at, edit)
+                    : what == 5 ? nook_remove_triangle(&b.mesh, c / 3, edit)
+                    : what == 6 ? nook_fill_hole(&b.mesh, c, (nook_fill_way)(step % 3), edit)
+                                : nook_merge_edges(&b.mesh, c, edit)) == NOOK_OK;
+    }
+    view = nook_view_of(&b.mesh);
+    tables_hold();
+    CHECK_EQUAL(carried, 197);
+    CHECK_EQUAL(nook_digest(&view), 1040304782u);
+}
+
 /* O of other bits where an operator looks: refused before anything is changed. */
 static void spoiled_tables_are_refused(void) {
     uint32_t c, bit;
@@ -555,6 +586,7 @@ static const test tests[] = {
     TEST(a_split_edge_can_be_merged),
     TEST(flips_reach_all_triangulations_of_the_sphere),
     TEST(thousands_of_mixed_edits_keep_a_mesh_whole),
+    TEST(a_thousand_edits_have_one_digest_on_all_machines),
     TEST(spoiled_tables_are_refused),
     TEST(any_spoiled_entry_ends_well),
 };

@@ -27,6 +27,14 @@ typedef struct nook_edit {
     void *user;
 } nook_edit;
 
+/* What no_turn asks: a triangle that is moved must come to less than a right angle from where it faced, pieces from what
+ * they are cut from, the two of a flip from the vector area of their quadrilateral, those that open a vertex from both
+ * triangles at their edge; one that had no area must have some. What takes the place of a removed vertex, and a triangle
+ * made, must have area; one filled faces as the loop does. What does not move is not asked.
+ * Attributes of a place off an edge are those of the nearest on it; off the triangles of a vertex that is split, of the
+ * nearest triangle's plane. A vertex over the limit can be made smaller by nook_collapse() or nook_split_vertex() only if
+ * what comes of it is within the limit. */
+
 /* The barycentric coordinates of p, as it is seen along the normal of the triangle: p = w0 p0 + w1 p1 + w2 p2 in the
  * plane. A third each if the triangle has no area (in floats). Steps: constant. */
 void nook_barycentric(const nook_point triangle[3], nook_point p, float w[3]);

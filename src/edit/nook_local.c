@@ -217,6 +217,7 @@ NOOK_APART static nook_status find_sector(const nook_mesh *m, uint32_t c, uint32
     if (c == NOOK_NONE && !turn_to_border(&view, &s->first)) return NOOK_INTERIOR_VERTEX;
     for (s->n = 1, x = s->first; x != s->last; s->n++) {
         uint32_t turned = nook_turn(&view, x, false);
+        if (m->V[nook_next(x)] >= m->nv || m->V[nook_prev(x)] >= m->nv) return NOOK_BAD_OPPOSITE;
         if (turned == NOOK_NONE && d == NOOK_NONE) break;
         if (turned == s->first && d == NOOK_NONE) return NOOK_INTERIOR_VERTEX;
         if (turned == NOOK_NONE || turned == s->first || s->n >= m->nt) return NOOK_NONMANIFOLD_VERTEX;

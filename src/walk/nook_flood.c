@@ -75,9 +75,9 @@ nook_status nook_flood_step(nook_flood *f, uint32_t *units) {
         nook_status status = NOOK_OK;
         if (f->phase == CLEAR && f->at == NOOK_MT_BYTES(f->view->nt)) f->phase = ROOTS;
         if (f->phase == ROOTS && f->root == f->last) return NOOK_OK;
+        if (f->hops == 4u * f->view->nt) return NOOK_BAD_OPPOSITE;
         if (*units == 0) return NOOK_MORE;
         --*units;
-        if (f->hops == 4u * f->view->nt) return NOOK_BAD_OPPOSITE;
         if (f->phase == CLEAR) {
             f->marks.Mt[f->at++] = 0;
         } else {
