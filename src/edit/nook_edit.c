@@ -65,19 +65,23 @@ bool nook_is_turned(const nook_edit *edit, const nook_point *a, const nook_point
     return nook_compare_normals(p, p) != 0 || nook_facing(a, b, c, &axis) == 0;
 }
 
+static uint32_t bits_that_differ(const nook_point *a, const nook_point *b) {
+    return (nook_float_bits(a->x) ^ nook_float_bits(b->x)) | (nook_float_bits(a->y) ^ nook_float_bits(b->y)) |
+           (nook_float_bits(a->z) ^ nook_float_bits(b->z));
+}
+
 bool nook_move_turns(const nook_mesh *m, uint32_t t, const nook_move *move, const nook_edit *edit) {
     const nook_point *old[4], *now[3];
-    uint32_t i;
-    bool moved = false;
+    uint32_t i, moved = 0;
     for (i = 0; i < 3u; i++) {
         uint32_t v = m->V[3u * t + i];
         if (v >= m->nv) return true; /* no vertex at all */
         old[i] = &m->G[v];
         now[i] = v == move->v[0] ? &move->to[0] : v == move->v[1] ? &move->to[1] : old[i];
-        moved = moved || memcmp(now[i], old[i], sizeof *old[i]) != 0;
+        moved |= bits_that_differ(now[i], old[i]);
     }
     old[3] = old[2];
-    return moved && nook_is_turned(edit, now[0], now[1], now[2], old);
+    return moved != 0 && nook_is_turned(edit, now[0], now[1], now[2], old);
 }
 
 bool nook_move_turns_fan(const nook_mesh *m, uint32_t c, const nook_move *move, uint32_t a, uint32_t b,
