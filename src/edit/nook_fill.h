@@ -7,8 +7,11 @@
  *   NOOK_FILL_EARS      L - 2 triangles, cut off the loop one by one: always the best one, by area over the sum of the squares
  *                       of its edges, and of those that are convex and empty as seen along the axis which the loop
  *                       mostly faces, if there are any
- * The new triangles are planned in the unused ends of V and O, and joined to the mesh when all is known; so until then
+ * The new triangles are planned in the unused ends of V and O (and of colors and attributes), and joined to the mesh when all is known; so until then
  * nothing happens to the mesh, and it can be given up. While step says NOOK_MORE nobody else may write the mesh.
+ * Which axis that is, and from which side, is exact for loops of three edges; for longer ones it is read off their vector
+ * area in floats (the first axis if that is nothing), and all that follows from it is exact. Where edges of the loop's
+ * vertices stand in the way, ears may find no filling though there is one.
  * Where edit->no_turn is set, every new triangle must face the loop's way on that axis. A triangle takes its color from
  * the one at c, its corners attributes of their vertices, a centroid the mean.
  *   NOOK_INDEX_OUT_OF_RANGE  c is no corner
