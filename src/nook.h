@@ -85,6 +85,14 @@ extern "C" {
 #include "walk/nook_flood.h"        /* searches, distances, components */
 #include "walk/nook_neighborhood.h" /* k-rings by stars */
 
+/* query: what is where on a mesh */
+#include "query/nook_bvh.h"           /* a tree of boxes over it */
+#include "query/nook_ray.h"           /* what a ray hits */
+#include "query/nook_closest.h"       /* how far a point or a capsule is */
+#include "query/nook_inside.h"        /* inside or not; winding number */
+#include "query/nook_pair.h"          /* whether two triangles meet */
+#include "query/nook_intersections.h" /* whether it cuts itself; T-junctions */
+
 /* edit: change a linked mesh, a place at a time */
 #include "edit/nook_edit.h"  /* what edits respect and take along */
 #include "edit/nook_local.h" /* flip, splits, collapse, merge */

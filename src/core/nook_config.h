@@ -63,6 +63,22 @@ typedef uint32_t nook_index;
 #error "NOOK_INDEX_BITS must be 16 or 32"
 #endif
 
+/* How a bound of a box is stored in a BVH: 8 bits make 2 bytes a triangle, 16 bits 4 bytes and tighter boxes,
+ * which pays from some 20,000 triangles. Answers are the same. */
+#ifndef NOOK_BOUND_BITS
+#define NOOK_BOUND_BITS (NOOK_INDEX_BITS / 2)
+#endif
+#if NOOK_BOUND_BITS == 8
+typedef uint8_t nook_bound;
+#define NOOK_BOUND_GUARD(name) name##_for_8_bit_bounds
+#elif NOOK_BOUND_BITS == 16
+typedef uint16_t nook_bound;
+#define NOOK_BOUND_GUARD(name) name##_for_16_bit_bounds
+#else
+#error "NOOK_BOUND_BITS must be 8 or 16"
+#endif
+#define nook_bvh_begin NOOK_BOUND_GUARD(nook_bvh_begin)
+
 /* The entry points through which every mesh and view must pass carry the width in their linker
  * names, so an application built for the other width fails to link and the message says why. */
 #define nook_mesh_init NOOK_WIDTH_GUARD(nook_mesh_init)

@@ -5,7 +5,7 @@
 static const char *const names[NOOK_STATUS_COUNT][2] = {
     {"ok", "done"},
     {"more", "call again"},
-    {"triangle", "a triangle is ready"},
+    {"triangle", "a triangle or a pair is ready"},
     {"null_argument", "a required pointer is null"},
     {"misaligned", "an array is not aligned"},
     {"no_capacity", "more elements than the arrays or the index width can hold"},
@@ -27,6 +27,8 @@ static const char *const names[NOOK_STATUS_COUNT][2] = {
     {"flat_shell", "shell of no volume"},
     {"zero_area_triangle", "triangle without area"},
     {"folded_edge", "edge at which one triangle lies back upon the other"},
+    {"self_intersection", "triangle that meets another where they share nothing"},
+    {"t_junction", "vertex within a border edge"},
     {"duplicate_edge", "two vertices would be joined twice"},
     {"wrong_valence", "the vertex has another number of triangles than required"},
     {"last_triangle", "nothing would be left of this part"},

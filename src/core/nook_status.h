@@ -10,7 +10,7 @@
 typedef enum nook_status {
     NOOK_OK = 0,   /* done, and nothing to say */
     NOOK_MORE,     /* a resumable call used up its units, or a parser its bytes: call again */
-    NOOK_TRIANGLE, /* a parser has a triangle ready and may have bytes left: take it, call again */
+    NOOK_TRIANGLE, /* a parser or a search has a triangle, or a pair, ready: take it, call again */
 
     /* The call cannot be carried out. */
     NOOK_NULL_ARGUMENT, /* a pointer that must be given is null */
@@ -38,6 +38,9 @@ typedef enum nook_status {
     NOOK_FLAT_SHELL,         /* the same of no volume: it folds onto itself. where: its first triangle */
     NOOK_ZERO_AREA_TRIANGLE, /* three different vertices on one line. where: the triangle */
     NOOK_FOLDED_EDGE, /* its two triangles are in one plane, one back upon the other. where: the corner */
+
+    NOOK_SELF_INTERSECTION, /* it meets another triangle where the two share nothing. where: the triangle */
+    NOOK_T_JUNCTION,        /* a vertex within a border edge of which it is no end. where: the vertex */
 
     /* An edit that would spoil the mesh, and is refused. */
     NOOK_DUPLICATE_EDGE,     /* two vertices would be joined twice */

@@ -76,4 +76,16 @@ static inline float nook_sqrt(float x) {
 /* |a| without overflow or underflow in the squares. */
 float nook_length(nook_point a);
 
+/* The barycentric coordinates of p, as it is seen along the normal of the triangle: p = w0 p0 + w1 p1 + w2 p2 in the
+ * plane. A third each if the triangle has no area (in floats). Steps: constant. */
+void nook_barycentric(const nook_point triangle[3], nook_point p, float w[3]);
+
+/* The normal of a triangle, of length 1, to the side from which it is seen counter-clockwise; 0 if it has no area (in
+ * floats). Steps: constant. */
+nook_point nook_normal(const nook_point triangle[3]);
+
+/* The angle of (x, y) from the x axis, -pi to pi, within 3e-7 of itself; 0 for (0, 0). The same bits everywhere, which no
+ * libm's arctangent promises. Finite arguments. Steps: constant. */
+float nook_angle(float y, float x);
+
 #endif

@@ -1,4 +1,4 @@
-/* nook_edit.c -- the tools of nook_inner.h, and barycentric coordinates. */
+/* nook_edit.c -- the tools of nook_inner.h. */
 #include "edit/nook_edit.h"
 
 #include "edit/nook_inner.h"
@@ -203,21 +203,4 @@ void nook_add_attributes(const nook_edit *edit, uint32_t to, uint32_t from, floa
     float *at = attributes_of(edit, to);
     uint32_t i;
     for (i = 0; at != NULL && i < edit->width; i++) at[i] += weight * attributes_of(edit, from)[i];
-}
-
-/* ---- barycentric coordinates ------------------------------------------------------------------------ */
-
-void nook_barycentric(const nook_point triangle[3], nook_point p, float w[3]) {
-    nook_point a = nook_sub(triangle[1], triangle[0]), b = nook_sub(triangle[2], triangle[0]), n, x;
-    uint32_t exponent = nook_exponent(nook_length(a)), other = nook_exponent(nook_length(b));
-    float scale = nook_power_of_two(254u - (exponent > other ? exponent : other)), square;
-    a = nook_scaled(a, scale);
-    b = nook_scaled(b, scale);
-    x = nook_scaled(nook_sub(p, triangle[0]), scale);
-    n = nook_cross(a, b);
-    square = nook_dot(n, n);
-    w[1] = nook_dot(nook_cross(x, b), n) / square;
-    w[2] = nook_dot(nook_cross(a, x), n) / square;
-    if (!(square > 0)) w[1] = w[2] = 1.0f / 3.0f;
-    w[0] = 1.0f - w[1] - w[2];
 }

@@ -35,8 +35,4 @@ typedef struct nook_edit {
  * nearest triangle's plane. A vertex over the limit can be made smaller by nook_collapse() or nook_split_vertex() only if
  * what comes of it is within the limit. */
 
-/* The barycentric coordinates of p, as it is seen along the normal of the triangle: p = w0 p0 + w1 p1 + w2 p2 in the
- * plane. A third each if the triangle has no area (in floats). Steps: constant. */
-void nook_barycentric(const nook_point triangle[3], nook_point p, float w[3]);
-
 #endif

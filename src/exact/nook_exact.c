@@ -76,9 +76,7 @@ NOOK_APART static int normals_by_floats(const nook_point *const *p, const nook_p
 }
 
 #if NOOK_HAS_FPU
-static inline int orient3d_by_floats(const nook_point *p0, const nook_point *p1, const nook_point *p2,
-                                     const nook_point *p3) {
-    nook_point b = nook_sub(*p1, *p0), c = nook_sub(*p2, *p0), d = nook_sub(*p3, *p0);
+static inline int triple_by_floats(nook_point b, nook_point c, nook_point d) {
     float bc = b.x * c.y, cb = c.x * b.y, cd = c.x * d.y, dc = d.x * c.y, db = d.x * b.y, bd = b.x * d.y;
     float zb = magnitude(b.z), zc = magnitude(c.z), zd = magnitude(d.z);
     float most = (magnitude(bc) + magnitude(cb)) * zd + (magnitude(cd) + magnitude(dc)) * zb +
@@ -86,11 +84,9 @@ static inline int orient3d_by_floats(const nook_point *p0, const nook_point *p1,
     return decided((bc - cb) * d.z + (cd - dc) * b.z + (db - bd) * c.z, 8 * 0x1p-24f, most, zb + zc + zd);
 }
 
-static inline int orient2d_by_floats(const nook_point *a, const nook_point *b, const nook_point *c,
-                                     uint32_t axis) {
+static inline int cross_by_floats(nook_point b, nook_point c, uint32_t axis) {
     uint32_t u = first_after(axis), v = second_after(axis);
-    float left = ((&b->x)[u] - (&a->x)[u]) * ((&c->x)[v] - (&a->x)[v]);
-    float right = ((&c->x)[u] - (&a->x)[u]) * ((&b->x)[v] - (&a->x)[v]);
+    float left = (&b.x)[u] * (&c.x)[v], right = (&c.x)[u] * (&b.x)[v];
     return decided(left - right, 4 * 0x1p-24f, magnitude(left) + magnitude(right), 0);
 }
 
@@ -101,8 +97,8 @@ static inline int distances_by_floats(const nook_point *a, const nook_point *b, 
     return decided(left - right, 8 * 0x1p-24f, left + right, 0);
 }
 #else
-#define orient3d_by_floats(a, b, c, d) UNDECIDED
-#define orient2d_by_floats(a, b, c, axis) UNDECIDED
+#define triple_by_floats(b, c, d) UNDECIDED
+#define cross_by_floats(b, c, axis) UNDECIDED
 #define distances_by_floats(a, b, c, d) UNDECIDED
 #endif
 
@@ -118,10 +114,10 @@ static uint32_t top_of(const nook_point *const *p, uint32_t n, uint32_t axis) {
     return exponent_of(most >> 1);
 }
 
-/* One coordinate of n points less that of point 0, as integers below 2^31 on the exponent top - 156;
- * false where bits do not fit. */
-NOOK_APART static bool differences(const nook_point *const *p, uint32_t n, uint32_t axis, uint32_t top,
-                                   int32_t *to) {
+/* One coordinate of n points less that of point 0, as integers below 2^31 on the exponent top - 156; row number
+ * direction, if there is one, as it is. False where bits do not fit. */
+NOOK_APART static bool differences(const nook_point *const *p, uint32_t n, uint32_t direction, uint32_t axis,
+                                   uint32_t top, int32_t *to) {
     uint32_t lost = 0, i;
     int32_t first = 0;
     for (i = 0; i < n; i++) {
@@ -135,7 +131,7 @@ NOOK_APART static bool differences(const nook_point *const *p, uint32_t n, uint3
         if (i == 0) {
             first = value;
         } else {
-            to[i - 1u] = value - first;
+            to[i - 1u] = i == direction ? value : value - first;
         }
     }
     return lost == 0;
@@ -159,20 +155,20 @@ static int sign_of_determinant(int32_t n[3][3]) {
     return high != 0 ? sign_of((int64_t)high) : (uint32_t)low != 0;
 }
 
-NOOK_APART static int orient3d_by_integers(const nook_point *const *p) {
+NOOK_APART static int orient3d_by_integers(const nook_point *const *p, uint32_t direction) {
     int32_t n[3][3];
     uint32_t axis;
     for (axis = 0; axis < 3u; axis++) {
-        if (!differences(p, 4, axis, top_of(p, 4, axis), n[axis])) return UNDECIDED;
+        if (!differences(p, 4, direction, axis, top_of(p, 4, axis), n[axis])) return UNDECIDED;
     }
     return sign_of_determinant(n);
 }
 
-NOOK_APART static int orient2d_by_integers(const nook_point *const *p, uint32_t axis) {
+NOOK_APART static int orient2d_by_integers(const nook_point *const *p, uint32_t direction, uint32_t axis) {
     uint32_t u = first_after(axis), v = second_after(axis);
     int32_t x[2], y[2];
-    if (!differences(p, 3, u, top_of(p, 3, u), x)) return UNDECIDED;
-    if (!differences(p, 3, v, top_of(p, 3, v), y)) return UNDECIDED;
+    if (!differences(p, 3, direction, u, top_of(p, 3, u), x)) return UNDECIDED;
+    if (!differences(p, 3, direction, v, top_of(p, 3, v), y)) return UNDECIDED;
     return sign_of(multiply_signed(x[0], y[1]) - multiply_signed(x[1], y[0]));
 }
 
@@ -185,7 +181,7 @@ NOOK_APART static int distances_by_integers(const nook_point *const *p) {
     }
     for (i = 0; i < 6u; i++) {
         int32_t n;
-        if (!differences(p + 2u * (i & 1u), 2, i >> 1, top, &n)) return UNDECIDED;
+        if (!differences(p + 2u * (i & 1u), 2, NOOK_NONE, i >> 1, top, &n)) return UNDECIDED;
         square[i & 1u] += (uint64_t)multiply_signed(n, n);
     }
     return (square[0] > square[1]) - (square[0] < square[1]);
@@ -256,8 +252,8 @@ static product product_of_rows(const nook_point *const *p, uint32_t i, uint32_t 
 }
 
 /* The determinant of four rows x y z 1: a product for each way to choose rows i, j, k that differ, with the
- * sign of the permutation i, j, k, rest. It is that of orient3d turned over. */
-NOOK_APART static int orient3d_by_sum(const nook_point *const *p) {
+ * sign of the permutation i, j, k, rest. It is that of orient3d turned over. A direction ends in 0 and is never the rest. */
+NOOK_APART static int orient3d_by_sum(const nook_point *const *p, uint32_t direction) {
     uint32_t sum[SUM_WORDS], i, j, k;
     clear(sum, SUM_WORDS);
     for (i = 0; i < 4u; i++) {
@@ -267,7 +263,7 @@ NOOK_APART static int orient3d_by_sum(const nook_point *const *p) {
             xy = product_of_rows(p, i, j, 0, 1);
             for (k = 0; k < 4u; k++) {
                 if (k == i || k == j) continue;
-                add_product(sum, SUM_WORDS, &xy, bits_of(p[k], 2));
+                if (6u - i - j - k != direction) add_product(sum, SUM_WORDS, &xy, bits_of(p[k], 2));
                 xy.sign ^= 0x80000000u;
             }
         }
@@ -275,14 +271,14 @@ NOOK_APART static int orient3d_by_sum(const nook_point *const *p) {
     return -sign_of_sum(sum, SUM_WORDS);
 }
 
-/* The determinant of three rows of two coordinates and 1. */
-NOOK_APART static int orient2d_by_sum(const nook_point *const *p, uint32_t axis) {
+/* The determinant of three rows of two coordinates and 1, or 0 for a direction. */
+NOOK_APART static int orient2d_by_sum(const nook_point *const *p, uint32_t direction, uint32_t axis) {
     uint32_t sum[SUM_WORDS], i, j;
     clear(sum, SUM_WORDS);
     for (i = 0; i < 3u; i++) {
         for (j = 0; j < 3u; j++) {
             product xy;
-            if (i == j) continue;
+            if (i == j || 3u - i - j == direction) continue;
             xy = product_of_rows(p, i, j, first_after(axis), second_after(axis));
             add_product(sum, SUM_WORDS, &xy, one);
         }
@@ -345,27 +341,37 @@ NOOK_APART static int normals_by_sum(const nook_point *const *p, const nook_poin
 /* ---- predicates -------------------------------------------------------------------------------- */
 
 NOOK_APART static int orient3d_without_floats(const nook_point *a, const nook_point *b, const nook_point *c,
-                                              const nook_point *d) {
+                                              const nook_point *d, uint32_t direction) {
     const nook_point *const p[4] = {a, b, c, d};
-    int sign = orient3d_by_integers(p);
-    return sign != UNDECIDED ? sign : orient3d_by_sum(p);
+    int sign = orient3d_by_integers(p, direction);
+    return sign != UNDECIDED ? sign : orient3d_by_sum(p, direction);
 }
 
 int nook_orient3d(const nook_point *a, const nook_point *b, const nook_point *c, const nook_point *d) {
-    int sign = orient3d_by_floats(a, b, c, d);
-    return sign != UNDECIDED ? sign : orient3d_without_floats(a, b, c, d);
+    int sign = triple_by_floats(nook_sub(*b, *a), nook_sub(*c, *a), nook_sub(*d, *a));
+    return sign != UNDECIDED ? sign : orient3d_without_floats(a, b, c, d, NOOK_NONE);
+}
+
+int nook_passing(const nook_point *o, const nook_point *d, const nook_point *a, const nook_point *b) {
+    int sign = triple_by_floats(nook_sub(*a, *o), nook_sub(*b, *o), *d);
+    return sign != UNDECIDED ? sign : orient3d_without_floats(o, a, b, d, 3);
 }
 
 NOOK_APART static int orient2d_without_floats(const nook_point *a, const nook_point *b, const nook_point *c,
-                                              uint32_t axis) {
+                                              uint32_t direction, uint32_t axis) {
     const nook_point *const p[3] = {a, b, c};
-    int sign = orient2d_by_integers(p, axis);
-    return sign != UNDECIDED ? sign : orient2d_by_sum(p, axis);
+    int sign = orient2d_by_integers(p, direction, axis);
+    return sign != UNDECIDED ? sign : orient2d_by_sum(p, direction, axis);
 }
 
 int nook_orient2d(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t axis) {
-    int sign = orient2d_by_floats(a, b, c, axis);
-    return sign != UNDECIDED ? sign : orient2d_without_floats(a, b, c, axis);
+    int sign = cross_by_floats(nook_sub(*b, *a), nook_sub(*c, *a), axis);
+    return sign != UNDECIDED ? sign : orient2d_without_floats(a, b, c, NOOK_NONE, axis);
+}
+
+int nook_turning(const nook_point *a, const nook_point *b, const nook_point *d, uint32_t axis) {
+    int sign = cross_by_floats(nook_sub(*b, *a), *d, axis);
+    return sign != UNDECIDED ? sign : orient2d_without_floats(a, b, d, 2, axis);
 }
 
 int nook_facing(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t *axis) {

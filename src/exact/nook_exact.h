@@ -26,6 +26,13 @@ int nook_orient3d(const nook_point *a, const nook_point *b, const nook_point *c,
  * the normal (b-a) x (c-a). */
 int nook_orient2d(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t axis);
 
+/* The same two with a direction in place of the last point, which need not be a point that a float can reach:
+ * passing, how the line from o along d passes the edge a b: +1 where a b c, for c behind the line, run counter-clockwise
+ *     seen along d: the sign of (a-o) x (b-o) . d. 0 if the line meets the line of a and b, or is parallel to it;
+ * turning, the sign of component axis of (b-a) x d. */
+int nook_passing(const nook_point *o, const nook_point *d, const nook_point *a, const nook_point *b);
+int nook_turning(const nook_point *a, const nook_point *b, const nook_point *d, uint32_t axis);
+
 /* The first axis along which the triangle a, b, c is seen with an area, in *axis, and orient2d there;
  * 0, and any axis, if the three lie on a line: a triangle without area. */
 int nook_facing(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t *axis);

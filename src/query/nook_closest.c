@@ -1,0 +1,263 @@
+/* nook_closest.c -- nearest boxes first, and the nearest of each triangle's points in them. */
+#include "query/nook_closest.h"
+
+#include "query/nook_pair.h"
+
+/* ---- boxes ---------------------------------------------------------------------------------------- */
+
+static void set_axis(nook_closest *q, uint32_t axis) {
+    float a = (&q->a.x)[axis], b = (&q->b.x)[axis], slack, more;
+    float low = nook_in_cells(q->bvh, a < b ? a : b, axis, &slack);
+    float high = nook_in_cells(q->bvh, a < b ? b : a, axis, &more);
+    (&q->low.x)[axis] = low - slack - 1.0f; /* a bound leaves out the width of its cell */
+    (&q->high.x)[axis] = high + more;
+    (&q->width.x)[axis] = 1.0f / (&q->bvh->cells.x)[axis];
+}
+
+static void visit_group(nook_closest *q) {
+    const nook_boxes *group = nook_descent_boxes(&q->descent, q->bvh);
+    float square[4] = {0, 0, 0, 0};
+    uint32_t entry[4], axis, i;
+    for (axis = 0; axis < 3u; axis++) {
+        float low = (&q->low.x)[axis], high = (&q->high.x)[axis], width = (&q->width.x)[axis];
+        for (i = 0; i < 4u; i++) {
+            float above = (float)group->low[axis][i] - high, below = low - (float)group->high[axis][i];
+            float apart = above > below ? above : below;
+            apart = (apart > 0 ? apart : 0) * width;
+            square[i] += apart * apart;
+        }
+    }
+    for (i = 0; i < 4u; i++) {
+        float least = square[i] * (1.0f - 0x1p-18f);
+        entry[i] = least <= q->reach ? nook_entry(least, i) : NOOK_UP;
+    }
+    nook_descent_push(&q->descent, entry);
+}
+
+/* ---- triangles ------------------------------------------------------------------------------------ */
+
+/* A pair of nearest points, seen from the beginning of the segment. */
+typedef struct nearest {
+    nook_point point;
+    float at, square;
+    bool crosses; /* exactly */
+} nearest;
+
+static nook_point along(nook_point a, nook_point d, float t) {
+    return nook_make(a.x + t * d.x, a.y + t * d.y, a.z + t * d.z);
+}
+
+static float clamp(float t) { return t > 0 ? t < 1.0f ? t : 1.0f : 0; }
+
+static void consider(nearest *n, nook_point point, nook_point on, float at) {
+    nook_point d = nook_sub(point, on);
+    float square = nook_dot(d, d);
+    if (square >= n->square) return;
+    n->point = point;
+    n->at = at;
+    n->square = square;
+}
+
+/* The point of the segment a b nearest to x; the ends as they are. */
+static nook_point on_segment(nook_point a, nook_point b, nook_point x) {
+    nook_point d = nook_sub(b, a);
+    float t = clamp(nook_dot(nook_sub(x, a), d) / nook_dot(d, d)); /* no number: a point */
+    return t < 1.0f ? along(a, d, t) : b;
+}
+
+/* The nearest point of a triangle to x, which is at of the segment: on an edge, or the foot of x. The foot is sought from
+ * the nearest edge: the normal of a thin triangle is uncertain, but not so much as to matter across its width. */
+static void consider_triangle(nearest *n, const nook_point p[3], nook_point x, float at) {
+    nook_point a = nook_sub(p[0], x), b = nook_sub(p[1], x), c = nook_sub(p[2], x), normal;
+    nook_point zero = nook_make(0, 0, 0), foot;
+    nearest edge = {a, 0, nook_dot(a, a), false};
+    consider(&edge, on_segment(a, b, zero), zero, 0);
+    consider(&edge, on_segment(b, c, zero), zero, 0);
+    consider(&edge, on_segment(c, a, zero), zero, 0);
+    normal = nook_cross(nook_sub(b, a), nook_sub(c, a));
+    foot = edge.point;
+    if (nook_dot(nook_cross(a, b), normal) > 0 && nook_dot(nook_cross(b, c), normal) > 0 &&
+        nook_dot(nook_cross(c, a), normal) > 0) {
+        foot = nook_scaled(normal, nook_dot(foot, normal) / nook_dot(normal, normal));
+        consider(&edge, foot, zero, 0);
+    }
+    if (edge.square >= n->square) return;
+    n->point = nook_make(x.x + edge.point.x, x.y + edge.point.y, x.z + edge.point.z);
+    n->at = at;
+    n->square = edge.square;
+}
+
+/* The nearest points of two segments, 0 d and a b, where they are between the ends (Ericson 2005, 5.1.9): the nearest to
+ * an end is found from there. */
+static void consider_edge(nearest *n, nook_point d, nook_point a, nook_point b) {
+    nook_point e = nook_sub(b, a);
+    float dd = nook_dot(d, d), ee = nook_dot(e, e), de = nook_dot(d, e);
+    float s = clamp((nook_dot(d, a) * ee - de * nook_dot(e, a)) / (dd * ee - de * de));
+    nook_point point = on_segment(a, b, nook_scaled(d, s));
+    s = clamp(nook_dot(point, d) / dd);
+    consider(n, point, nook_scaled(d, s), s);
+}
+
+/* Where the segment goes through the triangle, if it does, exactly; where on it, by floats. */
+static bool goes_through(const nook_closest *q, const nook_point *const p[3]) {
+    const nook_point *const segment[3] = {&q->a, &q->b, &q->b};
+    return nook_triangles_meet(segment, p);
+}
+
+static void consider_crossing(nearest *n, nook_point d, const nook_point p[3]) {
+    nook_point normal = nook_cross(nook_sub(p[1], p[0]), nook_sub(p[2], p[0]));
+    float at = clamp(nook_dot(p[0], normal) / nook_dot(d, normal));
+    n->point = nook_scaled(d, at);
+    n->at = at;
+    n->square = 0;
+    n->crosses = true;
+}
+
+static void consider_segment(const nook_closest *q, nearest *n, const nook_point *const at[3],
+                             const nook_point p[3]) {
+    nook_point d = nook_scaled(nook_sub(q->b, q->a), q->scale);
+    if (goes_through(q, at)) {
+        consider_crossing(n, d, p);
+        return;
+    }
+    consider_triangle(n, p, d, 1);
+    consider_edge(n, d, p[0], p[1]);
+    consider_edge(n, d, p[1], p[2]);
+    consider_edge(n, d, p[2], p[0]);
+}
+
+/* ---- finding -------------------------------------------------------------------------------------- */
+
+/* What rounding may be off: of a distance, and of the points of a triangle that lies at that distance. */
+static float margin_of(float distance, const nook_point p[3]) {
+    float most = distance;
+    uint32_t i;
+    for (i = 0; i < 3u; i++) {
+        float far = nook_length(p[i]);
+        most = far > most ? far : most;
+    }
+    return most * 0x1p-20f;
+}
+
+static void found(nook_closest *q, uint32_t t, const nearest *n, const nook_point p[3]) {
+    float distance, margin;
+    if (n->square > q->square || (n->square == q->square && t > q->triangle)) return;
+    distance = nook_sqrt(n->square);
+    margin = n->crosses ? 0 : margin_of(distance, p);
+    q->triangle = t;
+    q->square = n->square;
+    q->margin = margin;
+    q->reach = (distance + margin) * (distance + margin);
+    q->at = n->at;
+    q->point = along(q->a, n->point, 1.0f / q->scale);
+}
+
+static bool look_at(nook_closest *q, uint32_t t) {
+    const nook_point *at[3];
+    nook_point p[3];
+    nearest n = {{0, 0, 0}, 0, 0x1p127f, false};
+    uint32_t i;
+    if (!nook_points_of(q->bvh, t, at)) return false;
+    for (i = 0; i < 3u; i++) p[i] = nook_scaled(nook_sub(*at[i], q->a), q->scale);
+    consider_triangle(&n, p, nook_make(0, 0, 0), 0);
+    if (q->is_segment) consider_segment(q, &n, at, p);
+    found(q, t, &n, p);
+    return true;
+}
+
+static bool visit_leaf(nook_closest *q) {
+    uint32_t place = 4u * q->descent.node, end = place + 4u, nt = q->bvh->view.nt;
+    for (; place < end && place < nt; place++) {
+        if (!look_at(q, nook_triangle_at(q->bvh, place))) return false;
+    }
+    nook_descent_leave(&q->descent);
+    return true;
+}
+
+/* ---- asking --------------------------------------------------------------------------------------- */
+
+static void set_scale(nook_closest *q) {
+    nook_point far = nook_sub(q->a, q->bvh->origin), d = nook_sub(q->b, q->a);
+    float size = nook_bvh_size(q->bvh), length = nook_length(far);
+    size = length > size ? length : size;
+    length = nook_length(d);
+    size = length > size ? length : size;
+    q->scale = nook_power_of_two(254u - nook_exponent(size));
+}
+
+/* Before anything: a corner of some triangle is not nearer than the nearest. */
+static void begin_anywhere(nook_closest *q) {
+    uint32_t t = nook_triangle_at(q->bvh, 0);
+    const nook_point *at[3];
+    nook_point p[3];
+    nearest n = {{0, 0, 0}, 0, 0, false};
+    if (!nook_points_of(q->bvh, t, at)) return;
+    n.point = p[0] = p[1] = p[2] = nook_scaled(nook_sub(*at[0], q->a), q->scale);
+    n.square = nook_dot(n.point, n.point);
+    q->most = nook_length(n.point);
+    q->most += margin_of(q->most, p);
+    found(q, t, &n, p);
+}
+
+static nook_status conclude(nook_closest *q, nook_status status) {
+    float pending = nook_sqrt(nook_descent_least(&q->descent, 0x1p127f)) * (1.0f - 0x1p-20f);
+    float distance = nook_sqrt(q->square), known = distance - q->margin, length = 1.0f / q->scale;
+    bool any = q->triangle != NOOK_NONE;
+    q->distance = any ? distance * length : q->limit;
+    q->distance_max = (any ? distance + q->margin : q->most) * length;
+    if (known < 0) known = 0;
+    q->distance_min = (pending < known ? pending : known) * length;
+    return status;
+}
+
+nook_status nook_closest_begin(nook_closest *q, const nook_bvh *bvh, nook_point a, nook_point b, float limit,
+                               float enough) {
+    uint32_t axis;
+    nook_status status = nook_bvh_status(bvh);
+    if (q == NULL) return NOOK_NULL_ARGUMENT;
+    if (status != NOOK_OK) return status;
+    if (nook_point_status(a) != NOOK_OK) return nook_point_status(a);
+    if (nook_point_status(b) != NOOK_OK) return nook_point_status(b);
+    memset(q, 0, sizeof *q);
+    q->triangle = NOOK_NONE;
+    q->bvh = bvh;
+    q->a = a;
+    q->b = b;
+    q->is_segment = a.x != b.x || a.y != b.y || a.z != b.z;
+    q->enough = enough;
+    set_scale(q);
+    for (axis = 0; axis < 3u; axis++) set_axis(q, axis);
+    q->limit = limit < 0x1p33f ? limit : 0x1p33f; /* nothing is farther */
+    q->square = q->limit * q->scale * (q->limit * q->scale);
+    q->reach = q->square * (1.0f + 0x1p-18f);
+    nook_descent_begin(&q->descent, bvh->view.nt);
+    begin_anywhere(q);
+    return conclude(q, NOOK_OK);
+}
+
+nook_status nook_closest_step(nook_closest *q, uint32_t *units) {
+    nook_descent *d = &q->descent;
+    while (nook_descent_next(d, q->bvh->view.nt, nook_entry(q->reach, 3))) {
+        if (q->distance_max <= q->enough) break;
+        if (*units == 0) return conclude(q, NOOK_MORE);
+        --*units;
+        if (d->level != 0) {
+            visit_group(q);
+        } else if (visit_leaf(q)) {
+            if (q->enough > 0) (void)conclude(q, NOOK_OK);
+        } else {
+            return conclude(q, NOOK_INDEX_OUT_OF_RANGE);
+        }
+    }
+    return conclude(q, NOOK_OK);
+}
+
+nook_status nook_closest_point(nook_closest *q, const nook_bvh *bvh, nook_point point) {
+    nook_status status = nook_closest_begin(q, bvh, point, point, NOOK_FAR, 0);
+    if (status != NOOK_OK) return status;
+    do {
+        uint32_t units = 16;
+        status = nook_closest_step(q, &units);
+    } while (status == NOOK_MORE);
+    return status;
+}

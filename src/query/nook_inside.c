@@ -1,0 +1,193 @@
+/* nook_inside.c -- crossings of a line along an axis; angles seen from a point. */
+#include "query/nook_inside.h"
+
+#include "exact/nook_exact.h"
+
+static uint32_t after(uint32_t i) { return i == 2u ? 0 : i + 1u; }
+
+static float at(const nook_point *p, uint32_t axis) { return (&p->x)[axis]; }
+
+/* ---- boxes ---------------------------------------------------------------------------------------- */
+
+/* Whether a box may hold a triangle that the line crosses, or the point. */
+static bool may_cross(const nook_inside *q, const nook_boxes *g, uint32_t child) {
+    uint32_t u = after(q->axis), v = after(u), x = q->cell[q->axis];
+    if (g->low[u][child] > q->cell[u] || g->high[u][child] < q->cell[u]) return false;
+    if (g->low[v][child] > q->cell[v] || g->high[v][child] < q->cell[v]) return false;
+    return q->sign > 0 ? g->high[q->axis][child] >= x : g->low[q->axis][child] <= x;
+}
+
+static void visit_group(nook_inside *q) {
+    const nook_boxes *group = nook_descent_boxes(&q->descent, q->bvh);
+    uint32_t entry[4], i;
+    for (i = 0; i < 4u; i++) entry[i] = may_cross(q, group, i) ? i : NOOK_UP;
+    nook_descent_push(&q->descent, entry);
+}
+
+/* ---- triangles ------------------------------------------------------------------------------------ */
+
+typedef struct range {
+    float low, high;
+} range;
+
+static range range_of(const nook_point *const p[3], uint32_t axis) {
+    float a = at(p[0], axis), b = at(p[1], axis), c = at(p[2], axis);
+    range r = {a < b ? a : b, a > b ? a : b};
+    if (c < r.low) r.low = c;
+    if (c > r.high) r.high = c;
+    return r;
+}
+
+static bool holds(range r, float x) { return r.low <= x && x <= r.high; }
+
+/* Whether the point lies on the triangle; it lies in its plane. */
+static bool is_on(const nook_point *const p[3], const nook_point *x) {
+    uint32_t axis, i;
+    int turn = nook_facing(p[0], p[1], p[2], &axis);
+    for (i = 0; i < 3u; i++) {
+        if (nook_orient2d(p[i], p[after(i)], x, axis) * turn < 0) return false;
+    }
+    return turn != 0; /* on a triangle without area it is on its neighbours too */
+}
+
+/* On which side of edge a b the point is, seen against the axis, if it stood aside by a trifle in u and by a trifle of that in
+ * v: never 0 unless the edge is a point there. */
+static int side_of(const nook_inside *q, const nook_point *a, const nook_point *b) {
+    uint32_t u = after(q->axis), v = after(u);
+    int sign = nook_orient2d(a, b, &q->point, q->axis);
+    if (sign != 0) return sign;
+    if (at(a, v) != at(b, v)) return at(a, v) > at(b, v) ? 1 : -1;
+    return (at(b, u) > at(a, u)) - (at(b, u) < at(a, u));
+}
+
+/* +1 if the line upward leaves through the triangle, -1 if it enters, 0 if it passes by. */
+static int turn_of(const nook_inside *q, const nook_point *const p[3]) {
+    int turn = side_of(q, p[0], p[1]);
+    if (turn == 0 || turn != side_of(q, p[1], p[2]) || turn != side_of(q, p[2], p[0])) return 0;
+    return turn;
+}
+
+static void look_at(nook_inside *q, uint32_t t, const nook_point *const p[3]) {
+    uint32_t u = after(q->axis), v = after(u);
+    range x = range_of(p, q->axis);
+    float height = at(&q->point, q->axis);
+    bool level = holds(x, height), ahead;
+    int turn;
+    if (!holds(range_of(p, u), at(&q->point, u)) || !holds(range_of(p, v), at(&q->point, v))) return;
+    if (!level && (q->sign > 0) == (x.high < height)) return;
+    turn = turn_of(q, p);
+    if (!level) {
+        ahead = true;
+    } else {
+        int side = nook_orient3d(p[0], p[1], p[2], &q->point);
+        if (side == 0 && is_on(p, &q->point)) q->on = t;
+        ahead = side * turn * q->sign < 0;
+    }
+    if (turn == 0 || !ahead) return;
+    q->crossings++;
+    q->winding += turn * q->sign;
+}
+
+static bool visit_leaf(nook_inside *q) {
+    uint32_t place = 4u * q->descent.node, end = place + 4u, nt = q->bvh->view.nt;
+    for (; place < end && place < nt; place++) {
+        uint32_t t = nook_triangle_at(q->bvh, place);
+        const nook_point *p[3];
+        if (!nook_points_of(q->bvh, t, p)) return false;
+        look_at(q, t, p);
+    }
+    nook_descent_leave(&q->descent);
+    return true;
+}
+
+/* ---- asking --------------------------------------------------------------------------------------- */
+
+/* The way out of the mesh's box with the fewest cells to cross. */
+static void set_line(nook_inside *q) {
+    uint32_t axis, least = NOOK_NONE;
+    for (axis = 0; axis < 3u; axis++) {
+        uint32_t cell = nook_cell(q->bvh, at(&q->point, axis), axis), rest = NOOK_LAST_CELL - cell;
+        q->cell[axis] = cell;
+        if (rest < least) least = rest, q->axis = axis, q->sign = 1;
+        if (cell < least) least = cell, q->axis = axis, q->sign = -1;
+    }
+}
+
+nook_status nook_inside_begin(nook_inside *q, const nook_bvh *bvh, nook_point point) {
+    nook_status status = nook_bvh_status(bvh);
+    if (q == NULL) return NOOK_NULL_ARGUMENT;
+    if (status != NOOK_OK) return status;
+    if (nook_point_status(point) != NOOK_OK) return nook_point_status(point);
+    memset(q, 0, sizeof *q);
+    q->on = NOOK_NONE;
+    q->bvh = bvh;
+    q->point = point;
+    set_line(q);
+    nook_descent_begin(&q->descent, bvh->view.nt);
+    return NOOK_OK;
+}
+
+nook_status nook_inside_step(nook_inside *q, uint32_t *units) {
+    nook_descent *d = &q->descent;
+    while (nook_descent_next(d, q->bvh->view.nt, NOOK_UP)) {
+        if (*units == 0) return NOOK_MORE;
+        --*units;
+        if (d->level != 0) {
+            visit_group(q);
+        } else if (!visit_leaf(q)) {
+            return NOOK_INDEX_OUT_OF_RANGE;
+        }
+    }
+    return NOOK_OK;
+}
+
+nook_status nook_side_of(const nook_bvh *bvh, nook_point point, int *side) {
+    nook_inside inside;
+    nook_status status = nook_inside_begin(&inside, bvh, point);
+    if (status != NOOK_OK) return status;
+    do {
+        uint32_t units = 16;
+        status = nook_inside_step(&inside, &units);
+    } while (status == NOOK_MORE);
+    *side = nook_inside_side(&inside);
+    return status;
+}
+
+/* ---- winding number ------------------------------------------------------------------------------- */
+
+nook_status nook_winding_begin(nook_winding *w, const nook_view *view, nook_point point) {
+    if (w == NULL || view == NULL) return NOOK_NULL_ARGUMENT;
+    if (nook_point_status(point) != NOOK_OK) return nook_point_status(point);
+    memset(w, 0, sizeof *w);
+    w->view = view;
+    w->point = point;
+    return NOOK_OK;
+}
+
+/* Toward p, of length 1. */
+static nook_point toward(const nook_winding *w, uint32_t c) {
+    nook_point d = nook_sub(nook_point_at(w->view, c), w->point);
+    float length = nook_length(d);
+    return length > 0x1p-100f ? nook_make(d.x / length, d.y / length, d.z / length) : nook_make(0, 0, 0);
+}
+
+/* Half the solid angle of triangle t (Van Oosterom and Strackee 1983). */
+static float half_angle(const nook_winding *w, uint32_t t) {
+    nook_point a = toward(w, 3u * t), b = toward(w, 3u * t + 1u), c = toward(w, 3u * t + 2u);
+    return nook_angle(nook_dot(a, nook_cross(b, c)), 1.0f + nook_dot(a, b) + nook_dot(b, c) + nook_dot(c, a));
+}
+
+nook_status nook_winding_step(nook_winding *w, uint32_t *units) {
+    const nook_view *m = w->view;
+    for (; w->at < m->nt; w->at++, --*units) {
+        const nook_index *V = &m->V[3u * w->at];
+        float part, sum;
+        if (*units == 0) return NOOK_MORE;
+        if (V[0] >= m->nv || V[1] >= m->nv || V[2] >= m->nv) return NOOK_INDEX_OUT_OF_RANGE;
+        part = half_angle(w, w->at) * 0.159154943f - w->low;
+        sum = w->number + part;
+        w->low = (sum - w->number) - part;
+        w->number = sum;
+    }
+    return NOOK_OK;
+}

@@ -1,0 +1,168 @@
+/* nook_pair.c -- two triangles, by signs alone. */
+#include "query/nook_pair.h"
+
+typedef const nook_point *const *corners;
+
+static uint32_t after(uint32_t i) { return i == 2u ? 0 : i + 1u; }
+
+/* The sides of a triangle's plane on which three points lie. Those without area have no sides: all 0. */
+typedef struct sides {
+    int of[3];
+} sides;
+
+static sides sides_of(corners plane, corners p) {
+    sides s;
+    uint32_t i;
+    for (i = 0; i < 3u; i++) s.of[i] = nook_orient3d(plane[0], plane[1], plane[2], p[i]);
+    return s;
+}
+
+static bool all_beyond(const sides *s) {
+    return s->of[0] != 0 && s->of[0] == s->of[1] && s->of[0] == s->of[2];
+}
+
+static bool all_on(const sides *s) { return s->of[0] == 0 && s->of[1] == 0 && s->of[2] == 0; }
+
+/* ---- through -------------------------------------------------------------------------------------- */
+
+/* Whether segment p q, whose ends lie on different sides of the plane of a triangle or one of them on it, meets
+ * the triangle: its line passes all edges on one side. */
+static bool pierces(const nook_point *p, const nook_point *q, corners a) {
+    int one = nook_orient3d(p, q, a[0], a[1]), other = nook_orient3d(p, q, a[1], a[2]), last;
+    if (one * other < 0) return false;
+    last = nook_orient3d(p, q, a[2], a[0]);
+    return one * last >= 0 && other * last >= 0;
+}
+
+/* Whether an edge of b meets a; edges in the plane of a are left out, for then edges of a meet b, or b's others a. */
+static bool any_pierces(corners b, const sides *s, corners a) {
+    uint32_t i, j;
+    for (i = 0; i < 3u; i++) {
+        j = after(i);
+        if (s->of[i] * s->of[j] > 0 || (s->of[i] == 0 && s->of[j] == 0)) continue;
+        if (pierces(b[i], b[j], a)) return true;
+    }
+    return false;
+}
+
+/* ---- in one plane --------------------------------------------------------------------------------- */
+
+/* Whether b lies clear of a, beyond the line of one of a's edges, seen along an axis. turn is a's. */
+static bool edge_parts(corners a, corners b, uint32_t axis) {
+    uint32_t i, j;
+    int turn = nook_orient2d(a[0], a[1], a[2], axis);
+    for (i = 0; i < 3u; i++) {
+        int side[3];
+        for (j = 0; j < 3u; j++) side[j] = nook_orient2d(a[i], a[after(i)], b[j], axis);
+        if (side[0] == 0 || side[0] != side[1] || side[0] != side[2]) continue;
+        if (side[0] != turn) return true; /* a segment has two such sides */
+    }
+    return false;
+}
+
+static bool interval_parts(corners a, corners b, uint32_t axis) {
+    float least[2], most[2];
+    uint32_t i;
+    least[0] = most[0] = (&a[0]->x)[axis];
+    least[1] = most[1] = (&b[0]->x)[axis];
+    for (i = 1; i < 3u; i++) {
+        float x = (&a[i]->x)[axis], y = (&b[i]->x)[axis];
+        least[0] = x < least[0] ? x : least[0];
+        most[0] = x > most[0] ? x : most[0];
+        least[1] = y < least[1] ? y : least[1];
+        most[1] = y > most[1] ? y : most[1];
+    }
+    return most[0] < least[1] || most[1] < least[0];
+}
+
+/* Two triangles in one plane meet if no line parts them along any axis: along one of them at least the plane does not
+ * become a line, and there a line that parts convex pieces is parallel to an edge, or both lie on one line. */
+static bool meet_in_plane(corners a, corners b) {
+    uint32_t axis;
+    for (axis = 0; axis < 3u; axis++) {
+        if (interval_parts(a, b, axis) || edge_parts(a, b, axis) || edge_parts(b, a, axis)) return false;
+    }
+    return true;
+}
+
+/* Two triangles without area, on which no plane stands: whether their lines lie in one. */
+static bool share_plane(corners a, corners b) {
+    uint32_t i, j;
+    for (i = 0; i < 3u; i++) {
+        for (j = 0; j < 3u; j++) {
+            if (nook_orient3d(a[i], a[after(i)], b[j], b[after(j)]) != 0) return false;
+        }
+    }
+    return true;
+}
+
+bool nook_triangles_meet(const nook_point *const a[3], const nook_point *const b[3]) {
+    sides of_b = sides_of(a, b), of_a;
+    if (all_beyond(&of_b)) return false;
+    of_a = sides_of(b, a);
+    if (all_beyond(&of_a)) return false;
+    if (all_on(&of_a) && all_on(&of_b)) return share_plane(a, b) && meet_in_plane(a, b);
+    return any_pierces(b, &of_b, a) || any_pierces(a, &of_a, b);
+}
+
+/* ---- of one mesh ---------------------------------------------------------------------------------- */
+
+static bool has_area(corners p) {
+    uint32_t axis;
+    return nook_facing(p[0], p[1], p[2], &axis) != 0;
+}
+
+/* a and b share their first corners: whether the edge of b that faces it meets a. */
+static bool facing_edge_meets(corners a, corners b) {
+    const nook_point *const edge[3] = {b[1], b[2], b[2]};
+    int one = nook_orient3d(a[0], a[1], a[2], b[1]), other = nook_orient3d(a[0], a[1], a[2], b[2]);
+    if (one == 0 && other == 0) return meet_in_plane(a, edge);
+    return one * other <= 0 && pierces(b[1], b[2], a);
+}
+
+/* a and b share their first two corners: whether one is folded upon the other. */
+static bool is_folded(corners a, corners b) {
+    uint32_t axis;
+    int side;
+    if (nook_orient3d(a[0], a[1], a[2], b[2]) != 0) return false;
+    side = nook_facing(a[0], a[1], a[2], &axis);
+    return side != 0 && side == nook_orient2d(a[0], a[1], b[2], axis);
+}
+
+static bool intersect(corners a, corners b, uint32_t shared) {
+    switch (shared) {
+    case 0: return nook_triangles_meet(a, b);
+    case 1: return facing_edge_meets(a, b) || facing_edge_meets(b, a);
+    case 2: return is_folded(a, b);
+    default: return true;
+    }
+}
+
+/* The corners of t with those first that u has too, and those of u in the same order. */
+static uint32_t match(const nook_view *m, uint32_t t, uint32_t u, uint32_t a[3], uint32_t b[3]) {
+    uint32_t i, j, k, shared = 0;
+    for (i = 0; i < 3u; i++) {
+        a[i] = m->V[3u * t + i];
+        b[i] = m->V[3u * u + i];
+    }
+    for (i = 0; i < 3u; i++) {
+        for (j = shared; j < 3u; j++) {
+            if (a[i] != b[j]) continue;
+            k = a[i], a[i] = a[shared], a[shared] = k;
+            k = b[j], b[j] = b[shared], b[shared] = k;
+            shared++;
+            break;
+        }
+    }
+    return shared;
+}
+
+bool nook_triangles_intersect(const nook_view *m, uint32_t t, uint32_t u) {
+    uint32_t v[3], w[3], shared = match(m, t, u, v, w), i;
+    const nook_point *a[3], *b[3];
+    for (i = 0; i < 3u; i++) {
+        a[i] = &m->G[v[i]];
+        b[i] = &m->G[w[i]];
+    }
+    return intersect(a, b, shared) && has_area(a) && has_area(b);
+}

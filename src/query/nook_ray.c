@@ -1,0 +1,337 @@
+/* nook_ray.c -- down the tree along a ray; exact where it counts. */
+#include "query/nook_ray.h"
+
+#include "exact/nook_exact.h"
+
+/* ---- boxes ---------------------------------------------------------------------------------------- */
+
+static uint32_t nook_after(uint32_t i) { return i == 2u ? 0 : i + 1u; }
+
+/* Along one axis the ray is at cell c at t = (c - origin) inverse; near and far are that origin moved by as much as
+ * rounding may be off, and far by the width of a cell, which its bound leaves out. */
+static void set_axis(nook_ray *r, uint32_t axis) {
+    float slack, origin = nook_in_cells(r->bvh, (&r->origin.x)[axis], axis, &slack);
+    float d = (&r->toward.x)[axis], cells = (&r->bvh->cells.x)[axis];
+    if (d != 0 && d < 0x1p-60f && d > -0x1p-60f) { /* so slow that its cells could underflow: never refused */
+        (&r->inverse.x)[axis] = 1.0f;
+        (&r->near.x)[axis] = 0x1p126f;
+        (&r->far.x)[axis] = -0x1p126f;
+        return;
+    }
+    (&r->inverse.x)[axis] = 1.0f / (d * cells);
+    (&r->near.x)[axis] = origin + slack;
+    (&r->far.x)[axis] = origin - 1.0f - slack;
+}
+
+static inline void cut_axis(const nook_ray *r, const nook_boxes *g, uint32_t axis, float near[4],
+                            float far[4]) {
+    float inverse = (&r->inverse.x)[axis];
+    bool back = inverse < 0;
+    const nook_bound *first = back ? g->high[axis] : g->low[axis],
+                     *second = back ? g->low[axis] : g->high[axis];
+    float from = back ? (&r->far.x)[axis] : (&r->near.x)[axis],
+          to = back ? (&r->near.x)[axis] : (&r->far.x)[axis];
+    uint32_t i;
+    for (i = 0; i < 4u; i++) {
+        float a = ((float)first[i] - from) * inverse, b = ((float)second[i] - to) * inverse;
+        near[i] = a > near[i] ? a : near[i];
+        far[i] = b < far[i] ? b : far[i];
+    }
+}
+
+static void visit_group(nook_ray *r) {
+    const nook_boxes *group = nook_descent_boxes(&r->descent, r->bvh);
+    float near[4] = {0, 0, 0, 0}, far[4] = {r->reach, r->reach, r->reach, r->reach};
+    uint32_t entry[4], i;
+    cut_axis(r, group, 0, near, far);
+    cut_axis(r, group, 1, near, far);
+    cut_axis(r, group, 2, near, far);
+    for (i = 0; i < 4u; i++) entry[i] = near[i] <= far[i] ? nook_entry(near[i], i) : NOOK_UP;
+    nook_descent_push(&r->descent, entry);
+}
+
+/* ---- triangles ------------------------------------------------------------------------------------ */
+
+/* How the ray's line passes the three edges of a triangle, as signs: all three of one sign where it goes through. */
+typedef struct sides {
+    int edge[3];
+} sides;
+
+static bool differ(int a, int b) { return a * b < 0; }
+
+#if NOOK_HAS_FPU
+static float largest(nook_point a) {
+    float x = a.x < 0 ? -a.x : a.x, y = a.y < 0 ? -a.y : a.y, z = a.z < 0 ? -a.z : a.z;
+    float most = x > y ? x : y;
+    return most > z ? most : z;
+}
+
+/* Whether the line clearly misses: two edges are passed on different sides, by more than rounding can do. That settles
+ * most triangles; the exact signs settle the rest. */
+static bool misses(const nook_ray *r, const nook_point *const p[3]) {
+    nook_point a = nook_sub(*p[0], r->origin), b = nook_sub(*p[1], r->origin), c = nook_sub(*p[2], r->origin);
+    float A = largest(a), B = largest(b), C = largest(c), margin = 128 * 0x1p-24f;
+    float ab = nook_dot(nook_cross(a, b), r->toward), bc = nook_dot(nook_cross(b, c), r->toward);
+    float ca = nook_dot(nook_cross(c, a), r->toward);
+    float least = ab < bc ? ab : bc, most = ab > bc ? ab : bc;
+    least = ca < least ? ca : least;
+    most = ca > most ? ca : most;
+    A = A > B ? A : B;
+    A = A > C ? A : C;
+    margin = margin * A * A + 0x1p-120f;
+    return least < -margin && most > margin;
+}
+#else
+#define misses(r, p) false
+#endif
+
+/* Whether the line goes through the triangle or touches it. In one plane with it, all signs are 0. */
+static bool meets(const nook_ray *r, const nook_point *const p[3], sides *s) {
+    if (misses(r, p)) return false;
+    s->edge[0] = nook_passing(&r->origin, &r->direction, p[0], p[1]);
+    s->edge[1] = nook_passing(&r->origin, &r->direction, p[1], p[2]);
+    if (differ(s->edge[0], s->edge[1])) return false;
+    s->edge[2] = nook_passing(&r->origin, &r->direction, p[2], p[0]);
+    return !differ(s->edge[0], s->edge[2]) && !differ(s->edge[1], s->edge[2]);
+}
+
+/* t of a point on the ray. */
+static float t_of(const nook_ray *r, const nook_point *p) {
+    return ((&p->x)[r->axis] - (&r->origin.x)[r->axis]) / (&r->toward.x)[r->axis];
+}
+
+/* Where the line goes through the plane; not outside of what the corners span, however flat it meets the plane. */
+static float t_through(const nook_ray *r, const nook_point *const p[3]) {
+    nook_point n = nook_cross(nook_sub(*p[1], *p[0]), nook_sub(*p[2], *p[0]));
+    float a = t_of(r, p[0]), b = t_of(r, p[1]), c = t_of(r, p[2]);
+    float least = a < b ? a : b, most = a > b ? a : b, t;
+    least = c < least ? c : least;
+    most = c > most ? c : most;
+    t = nook_dot(nook_sub(*p[0], r->origin), n) / nook_dot(r->toward, n);
+    return t > least ? t < most ? t : most : least; /* least too if there is no number */
+}
+
+/* The plane of the triangle cut by the line at t >= 0: the origin is not beyond it. turn is the sign of the edges. */
+static bool is_ahead(const nook_ray *r, const nook_point *const p[3], int turn) {
+    return !(nook_orient3d(p[0], p[1], p[2], &r->origin) * turn > 0);
+}
+
+/* ---- in the plane --------------------------------------------------------------------------------- */
+
+/* A triangle seen along an axis in which it, or at least its line, does not become a point: how its corners lie
+ * about the ray's line. */
+typedef struct flat {
+    const nook_point *const *p;
+    uint32_t axis;
+    int side[3];
+} flat;
+
+static bool see_along(const nook_ray *r, flat *f, uint32_t axis) {
+    uint32_t i;
+    f->axis = axis;
+    for (i = 0; i < 3u; i++) f->side[i] = nook_turning(&r->origin, f->p[i], &r->direction, axis);
+    return f->side[0] != 0 || f->side[1] != 0 || f->side[2] != 0;
+}
+
+/* Keep t, which is 0 or more where ahead says so; behind and ahead of the origin at once is at the origin. */
+typedef struct span {
+    float t;
+    bool behind, ahead;
+} span;
+
+static void take(span *s, float t, int sign) {
+    if (sign < 0) s->behind = true;
+    if (sign == 0) s->behind = s->ahead = true;
+    if (sign > 0 && (!s->ahead || t < s->t)) s->t = t;
+    if (sign > 0) s->ahead = true;
+}
+
+/* Edge i crosses the line. */
+static void cross(const nook_ray *r, const flat *f, uint32_t i, span *s) {
+    const nook_point *a = f->p[i], *b = f->p[nook_after(i)];
+    int sign = nook_orient2d(&r->origin, a, b, f->axis) * nook_turning(a, b, &r->direction, f->axis);
+    float x, y, t = t_of(r, a);
+    nook_point n = nook_cross(nook_sub(*a, r->origin), r->toward),
+               m = nook_cross(nook_sub(*b, r->origin), r->toward);
+    x = (&n.x)[f->axis];
+    y = (&m.x)[f->axis];
+    if (x != y) t += (t_of(r, b) - t) * (x / (x - y));
+    take(s, t > 0 ? t : 0, -sign);
+}
+
+/* Triangle and ray in one plane: where the ray first comes upon it. False if it does not. */
+static bool meets_in_plane(const nook_ray *r, const nook_point *const p[3], float *t) {
+    flat f = {p, 0, {0, 0, 0}};
+    span s = {0, false, false};
+    uint32_t i;
+    /* Along the two axes in which the ray does not become a point. */
+    if (!see_along(r, &f, nook_after(r->axis))) (void)see_along(r, &f, nook_after(nook_after(r->axis)));
+    for (i = 0; i < 3u; i++) {
+        int sign = (&p[i]->x)[r->axis] > (&r->origin.x)[r->axis]   ? 1
+                   : (&p[i]->x)[r->axis] < (&r->origin.x)[r->axis] ? -1
+                                                                   : 0;
+        if ((&r->toward.x)[r->axis] < 0) sign = -sign;
+        if (f.side[i] == 0) take(&s, t_of(r, p[i]), sign);
+        if (differ(f.side[i], f.side[nook_after(i)])) cross(r, &f, i, &s);
+    }
+    *t = s.behind ? 0 : s.t;
+    return s.ahead;
+}
+
+/* ---- hits ----------------------------------------------------------------------------------------- */
+
+/* How much farther to look than t: whatever is no farther but for rounding is seen too, so that of equals the lowest
+ * number wins whichever box it is in. */
+static float beyond(const nook_ray *r, float t) { return t + (t + r->size) * 0x1p-18f; }
+
+static void hit(nook_ray *r, uint32_t t, float at) {
+    if (at > r->best || (at == r->best && t > r->triangle)) return;
+    r->triangle = t;
+    r->best = at;
+    r->reach = beyond(r, at);
+}
+
+static void look_at(nook_ray *r, uint32_t t, const nook_point *const p[3]) {
+    sides s;
+    int turn;
+    float at;
+    if (!meets(r, p, &s)) return;
+    turn = s.edge[0] + s.edge[1] + s.edge[2];
+    if (turn == 0) {
+        if (meets_in_plane(r, p, &at)) hit(r, t, at);
+    } else if (is_ahead(r, p, turn)) {
+        at = t_through(r, p);
+        hit(r, t, at > 0 ? at : 0);
+    }
+}
+
+/* How the line passes an edge, if it stood aside by a trifle along one axis, and by a trifle of that along another. Then it
+ * meets no edge, and of the triangles around one that it did meet it goes through as many as it should. */
+static int passing_aside(const nook_ray *r, const nook_point *a, const nook_point *b) {
+    uint32_t u = nook_after(r->axis);
+    int sign = nook_passing(&r->origin, &r->direction, a, b);
+    if (sign == 0) sign = -nook_turning(a, b, &r->direction, u);
+    return sign != 0 ? sign : -nook_turning(a, b, &r->direction, nook_after(u));
+}
+
+static void count(nook_ray *r, const nook_point *const p[3]) {
+    int turn, other;
+    if (misses(r, p)) return;
+    turn = passing_aside(r, p[0], p[1]);
+    other = passing_aside(r, p[1], p[2]);
+    if (turn == 0 || turn != other || turn != passing_aside(r, p[2], p[0]) || !is_ahead(r, p, turn)) return;
+    r->crossings++;
+    r->winding += turn;
+}
+
+static bool visit_leaf(nook_ray *r) {
+    uint32_t place = 4u * r->descent.node, end = place + 4u, nt = r->bvh->view.nt;
+    for (; place < end && place < nt; place++) {
+        uint32_t t = nook_triangle_at(r->bvh, place);
+        const nook_point *p[3];
+        if (!nook_points_of(r->bvh, t, p)) return false;
+        if (r->kind == NOOK_CROSSINGS) {
+            count(r, p);
+        } else {
+            look_at(r, t, p);
+        }
+    }
+    nook_descent_leave(&r->descent);
+    if (r->kind == NOOK_ANY && r->triangle != NOOK_NONE) nook_descent_end(&r->descent);
+    return true;
+}
+
+/* ---- asking --------------------------------------------------------------------------------------- */
+
+static bool is_direction(nook_point d) {
+    float sum = (d.x < 0 ? -d.x : d.x) + (d.y < 0 ? -d.y : d.y) + (d.z < 0 ? -d.z : d.z);
+    return sum > 0 && d.x - d.x == 0 && d.y - d.y == 0 && d.z - d.z == 0;
+}
+
+static void set_direction(nook_ray *r) {
+    nook_point d = r->direction;
+    float x = d.x < 0 ? -d.x : d.x, y = d.y < 0 ? -d.y : d.y, z = d.z < 0 ? -d.z : d.z;
+    float most = x > y ? x : y;
+    r->axis = x >= y ? 0 : 1u;
+    if (z > most) most = z, r->axis = 2;
+    r->unit = nook_power_of_two(254u - nook_exponent(most));
+    r->toward = nook_scaled(d, r->unit);
+}
+
+nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, nook_point direction,
+                           float t_max, nook_ray_kind kind) {
+    uint32_t axis;
+    nook_status status = nook_bvh_status(bvh);
+    if (r == NULL) return NOOK_NULL_ARGUMENT;
+    if (status != NOOK_OK) return status;
+    if (nook_point_status(origin) != NOOK_OK) return nook_point_status(origin);
+    if (!is_direction(direction)) return NOOK_NOT_FINITE;
+    memset(r, 0, sizeof *r);
+    r->triangle = NOOK_NONE;
+    r->bvh = bvh;
+    r->kind = kind;
+    r->origin = origin;
+    r->direction = direction;
+    set_direction(r);
+    for (axis = 0; axis < 3u; axis++) set_axis(r, axis);
+    r->size = nook_bvh_size(bvh);
+    r->t = t_max;
+    r->best = t_max / r->unit;
+    r->reach = beyond(r, r->best);
+    nook_descent_begin(&r->descent, bvh->view.nt);
+    return NOOK_OK;
+}
+
+static void describe(nook_ray *r) {
+    nook_point corners[3], at = nook_scaled(r->toward, r->best);
+    const nook_point *p[3];
+    uint32_t i;
+    (void)nook_points_of(r->bvh, r->triangle, p);
+    r->t = r->best * r->unit;
+    for (i = 0; i < 3u; i++) corners[i] = nook_sub(*p[i], r->origin);
+    nook_barycentric(corners, at, r->w);
+    for (i = 0; i < 3u; i++) {
+        if (!(r->w[i] > 0)) r->w[i] = 0;
+    }
+}
+
+/* What is known: nothing is hit before t_min. */
+static nook_status conclude(nook_ray *r, nook_status status) {
+    if (r->triangle != NOOK_NONE) describe(r);
+    r->t_min = nook_descent_least(&r->descent, r->best) * r->unit;
+    return status;
+}
+
+nook_status nook_ray_step(nook_ray *r, uint32_t *units) {
+    nook_descent *d = &r->descent;
+    while (nook_descent_next(d, r->bvh->view.nt, nook_entry(r->reach, 3))) {
+        if (*units == 0) return conclude(r, NOOK_MORE);
+        --*units;
+        if (d->level != 0) {
+            visit_group(r);
+        } else if (!visit_leaf(r)) {
+            return conclude(r, NOOK_INDEX_OUT_OF_RANGE);
+        }
+    }
+    return conclude(r, NOOK_OK);
+}
+
+nook_status nook_ray_cast(nook_ray *ray, const nook_bvh *bvh, nook_point origin, nook_point direction,
+                          float t_max, nook_ray_kind kind) {
+    nook_status status = nook_ray_begin(ray, bvh, origin, direction, t_max, kind);
+    if (status != NOOK_OK) return status;
+    do {
+        uint32_t units = 16;
+        status = nook_ray_step(ray, &units);
+    } while (status == NOOK_MORE);
+    return status;
+}
+
+nook_point nook_ray_normal(const nook_ray *ray) {
+    nook_point corners[3];
+    const nook_point *p[3];
+    uint32_t i;
+    if (ray->triangle == NOOK_NONE || !nook_points_of(ray->bvh, ray->triangle, p)) return nook_make(0, 0, 0);
+    for (i = 0; i < 3u; i++) corners[i] = *p[i];
+    return nook_normal(corners);
+}
