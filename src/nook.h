@@ -99,6 +99,7 @@ extern "C" {
 #include "edit/nook_sew.h"   /* at the border: make, remove, stitch, cut */
 #include "edit/nook_fill.h"  /* fill a hole: fan, centroid, ears */
 #include "edit/nook_whole.h" /* reverse a shell, split vertices */
+#include "edit/nook_hull.h"  /* convex hull of points */
 
 #ifdef __cplusplus
 }
@@ -120,6 +121,7 @@ extern "C" {
  * concave edge                nook_geometry.concave_edges
  * consistent                  NOOK_FOLDED_EDGE is a part of it; self-intersection is to come
  * convex edge                 nook_geometry.convex_edges
+ * convex hull                 nook_hull
  * convex mesh                 nook_geometry.convex, with a witness if not
  * corner, corner table        nook_view: V, O
  * cut, cut open               nook_cut (an edge that reaches the border); nook_split_vertex

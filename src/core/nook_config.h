@@ -40,6 +40,16 @@
 #endif
 #endif
 
+/* How many boxes or triangles are looked at side by side: loops of that length that a compiler turns into instructions on
+ * several floats at once, where the core has them. Answers are the same either way. */
+#ifndef NOOK_LANES
+#if defined(__SSE2__) || defined(__ARM_NEON)
+#define NOOK_LANES 4
+#else
+#define NOOK_LANES 1
+#endif
+#endif
+
 /* Keeps a function out of line, so that its stack is not added to that of its neighbours. */
 #ifdef __GNUC__
 #define NOOK_APART __attribute__((noinline))

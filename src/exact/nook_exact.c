@@ -3,8 +3,6 @@
 
 static const uint32_t one = 0x3F800000u; /* the float 1 as bits */
 
-enum { UNDECIDED = 2 };
-
 /* The two axes that follow an axis. */
 static uint32_t first_after(uint32_t axis) { return axis == 2u ? 0 : axis + 1u; }
 static uint32_t second_after(uint32_t axis) { return axis == 0 ? 2u : axis - 1u; }
@@ -50,56 +48,35 @@ static int sign_of(int64_t n) { return (n > 0) - (n < 0); }
 
 /* ---- float ------------------------------------------------------------------------------------- */
 
-/* A sign, if the value is beyond its error: that of rounding, relative to what was added up, and that of
- * products below the smallest normal float, which scale carries along. Else UNDECIDED. NaN decides nothing. */
-static int decided(float value, float relative, float magnitude, float scale) {
-    float error = relative * magnitude + 0x1p-120f * (scale + 1.0f);
-    if (value > error) return 1;
-    return -value > error ? -1 : UNDECIDED;
-}
-
-static float magnitude(float x) { return x < 0 ? -x : x; }
-
 /* Also without an FPU: what is left costs thirty times as much. */
 NOOK_APART static int normals_by_floats(const nook_point *const *p, const nook_point *const *q) {
     nook_point u = nook_sub(*p[2], *p[0]), v = nook_sub(*p[3], *p[1]);
     nook_point x = nook_sub(*q[2], *q[0]), y = nook_sub(*q[3], *q[1]);
     nook_point n = nook_cross(u, v), m = nook_cross(x, y), bound, other;
-    bound =
-        nook_make(magnitude(u.y * v.z) + magnitude(u.z * v.y), magnitude(u.z * v.x) + magnitude(u.x * v.z),
-                  magnitude(u.x * v.y) + magnitude(u.y * v.x));
-    other =
-        nook_make(magnitude(x.y * y.z) + magnitude(x.z * y.y), magnitude(x.z * y.x) + magnitude(x.x * y.z),
-                  magnitude(x.x * y.y) + magnitude(x.y * y.x));
-    return decided(nook_dot(n, m), 16 * 0x1p-24f, nook_dot(bound, other),
-                   bound.x + bound.y + bound.z + other.x + other.y + other.z);
+    bound = nook_make(nook_abs(u.y * v.z) + nook_abs(u.z * v.y), nook_abs(u.z * v.x) + nook_abs(u.x * v.z),
+                      nook_abs(u.x * v.y) + nook_abs(u.y * v.x));
+    other = nook_make(nook_abs(x.y * y.z) + nook_abs(x.z * y.y), nook_abs(x.z * y.x) + nook_abs(x.x * y.z),
+                      nook_abs(x.x * y.y) + nook_abs(x.y * y.x));
+    return nook_decided(nook_dot(n, m), 16 * 0x1p-24f, nook_dot(bound, other),
+                        bound.x + bound.y + bound.z + other.x + other.y + other.z);
 }
 
 #if NOOK_HAS_FPU
-static inline int triple_by_floats(nook_point b, nook_point c, nook_point d) {
-    float bc = b.x * c.y, cb = c.x * b.y, cd = c.x * d.y, dc = d.x * c.y, db = d.x * b.y, bd = b.x * d.y;
-    float zb = magnitude(b.z), zc = magnitude(c.z), zd = magnitude(d.z);
-    float most = (magnitude(bc) + magnitude(cb)) * zd + (magnitude(cd) + magnitude(dc)) * zb +
-                 (magnitude(db) + magnitude(bd)) * zc;
-    return decided((bc - cb) * d.z + (cd - dc) * b.z + (db - bd) * c.z, 8 * 0x1p-24f, most, zb + zc + zd);
-}
-
 static inline int cross_by_floats(nook_point b, nook_point c, uint32_t axis) {
     uint32_t u = first_after(axis), v = second_after(axis);
     float left = (&b.x)[u] * (&c.x)[v], right = (&c.x)[u] * (&b.x)[v];
-    return decided(left - right, 4 * 0x1p-24f, magnitude(left) + magnitude(right), 0);
+    return nook_decided(left - right, 4 * 0x1p-24f, nook_abs(left) + nook_abs(right), 0);
 }
 
 static inline int distances_by_floats(const nook_point *a, const nook_point *b, const nook_point *c,
                                       const nook_point *d) {
     nook_point ab = nook_sub(*b, *a), cd = nook_sub(*d, *c);
     float left = nook_dot(ab, ab), right = nook_dot(cd, cd);
-    return decided(left - right, 8 * 0x1p-24f, left + right, 0);
+    return nook_decided(left - right, 8 * 0x1p-24f, left + right, 0);
 }
 #else
-#define triple_by_floats(b, c, d) UNDECIDED
-#define cross_by_floats(b, c, axis) UNDECIDED
-#define distances_by_floats(a, b, c, d) UNDECIDED
+#define cross_by_floats(b, c, axis) NOOK_UNDECIDED
+#define distances_by_floats(a, b, c, d) NOOK_UNDECIDED
 #endif
 
 /* ---- integers ---------------------------------------------------------------------------------- */
@@ -159,7 +136,7 @@ NOOK_APART static int orient3d_by_integers(const nook_point *const *p, uint32_t 
     int32_t n[3][3];
     uint32_t axis;
     for (axis = 0; axis < 3u; axis++) {
-        if (!differences(p, 4, direction, axis, top_of(p, 4, axis), n[axis])) return UNDECIDED;
+        if (!differences(p, 4, direction, axis, top_of(p, 4, axis), n[axis])) return NOOK_UNDECIDED;
     }
     return sign_of_determinant(n);
 }
@@ -167,8 +144,8 @@ NOOK_APART static int orient3d_by_integers(const nook_point *const *p, uint32_t 
 NOOK_APART static int orient2d_by_integers(const nook_point *const *p, uint32_t direction, uint32_t axis) {
     uint32_t u = first_after(axis), v = second_after(axis);
     int32_t x[2], y[2];
-    if (!differences(p, 3, direction, u, top_of(p, 3, u), x)) return UNDECIDED;
-    if (!differences(p, 3, direction, v, top_of(p, 3, v), y)) return UNDECIDED;
+    if (!differences(p, 3, direction, u, top_of(p, 3, u), x)) return NOOK_UNDECIDED;
+    if (!differences(p, 3, direction, v, top_of(p, 3, v), y)) return NOOK_UNDECIDED;
     return sign_of(multiply_signed(x[0], y[1]) - multiply_signed(x[1], y[0]));
 }
 
@@ -181,7 +158,7 @@ NOOK_APART static int distances_by_integers(const nook_point *const *p) {
     }
     for (i = 0; i < 6u; i++) {
         int32_t n;
-        if (!differences(p + 2u * (i & 1u), 2, NOOK_NONE, i >> 1, top, &n)) return UNDECIDED;
+        if (!differences(p + 2u * (i & 1u), 2, NOOK_NONE, i >> 1, top, &n)) return NOOK_UNDECIDED;
         square[i & 1u] += (uint64_t)multiply_signed(n, n);
     }
     return (square[0] > square[1]) - (square[0] < square[1]);
@@ -253,8 +230,8 @@ static product product_of_rows(const nook_point *const *p, uint32_t i, uint32_t 
 
 /* The determinant of four rows x y z 1: a product for each way to choose rows i, j, k that differ, with the
  * sign of the permutation i, j, k, rest. It is that of orient3d turned over. A direction ends in 0 and is never the rest. */
-NOOK_APART static int orient3d_by_sum(const nook_point *const *p, uint32_t direction) {
-    uint32_t sum[SUM_WORDS], i, j, k;
+static void add_determinant(uint32_t *sum, const nook_point *const *p, uint32_t direction) {
+    uint32_t i, j, k;
     clear(sum, SUM_WORDS);
     for (i = 0; i < 4u; i++) {
         for (j = 0; j < 4u; j++) {
@@ -268,6 +245,11 @@ NOOK_APART static int orient3d_by_sum(const nook_point *const *p, uint32_t direc
             }
         }
     }
+}
+
+NOOK_APART static int orient3d_by_sum(const nook_point *const *p, uint32_t direction) {
+    uint32_t sum[SUM_WORDS];
+    add_determinant(sum, p, direction);
     return -sign_of_sum(sum, SUM_WORDS);
 }
 
@@ -344,34 +326,34 @@ NOOK_APART static int orient3d_without_floats(const nook_point *a, const nook_po
                                               const nook_point *d, uint32_t direction) {
     const nook_point *const p[4] = {a, b, c, d};
     int sign = orient3d_by_integers(p, direction);
-    return sign != UNDECIDED ? sign : orient3d_by_sum(p, direction);
+    return sign != NOOK_UNDECIDED ? sign : orient3d_by_sum(p, direction);
 }
 
 int nook_orient3d(const nook_point *a, const nook_point *b, const nook_point *c, const nook_point *d) {
-    int sign = triple_by_floats(nook_sub(*b, *a), nook_sub(*c, *a), nook_sub(*d, *a));
-    return sign != UNDECIDED ? sign : orient3d_without_floats(a, b, c, d, NOOK_NONE);
+    int sign = nook_orient3d_fast(a, b, c, d);
+    return sign != NOOK_UNDECIDED ? sign : orient3d_without_floats(a, b, c, d, NOOK_NONE);
 }
 
 int nook_passing(const nook_point *o, const nook_point *d, const nook_point *a, const nook_point *b) {
-    int sign = triple_by_floats(nook_sub(*a, *o), nook_sub(*b, *o), *d);
-    return sign != UNDECIDED ? sign : orient3d_without_floats(o, a, b, d, 3);
+    int sign = nook_triple_sign(nook_sub(*a, *o), nook_sub(*b, *o), *d);
+    return sign != NOOK_UNDECIDED ? sign : orient3d_without_floats(o, a, b, d, 3);
 }
 
 NOOK_APART static int orient2d_without_floats(const nook_point *a, const nook_point *b, const nook_point *c,
                                               uint32_t direction, uint32_t axis) {
     const nook_point *const p[3] = {a, b, c};
     int sign = orient2d_by_integers(p, direction, axis);
-    return sign != UNDECIDED ? sign : orient2d_by_sum(p, direction, axis);
+    return sign != NOOK_UNDECIDED ? sign : orient2d_by_sum(p, direction, axis);
 }
 
 int nook_orient2d(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t axis) {
     int sign = cross_by_floats(nook_sub(*b, *a), nook_sub(*c, *a), axis);
-    return sign != UNDECIDED ? sign : orient2d_without_floats(a, b, c, NOOK_NONE, axis);
+    return sign != NOOK_UNDECIDED ? sign : orient2d_without_floats(a, b, c, NOOK_NONE, axis);
 }
 
 int nook_turning(const nook_point *a, const nook_point *b, const nook_point *d, uint32_t axis) {
     int sign = cross_by_floats(nook_sub(*b, *a), *d, axis);
-    return sign != UNDECIDED ? sign : orient2d_without_floats(a, b, d, 2, axis);
+    return sign != NOOK_UNDECIDED ? sign : orient2d_without_floats(a, b, d, 2, axis);
 }
 
 int nook_facing(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t *axis) {
@@ -385,18 +367,18 @@ NOOK_APART static int distances_without_floats(const nook_point *a, const nook_p
                                                const nook_point *d) {
     const nook_point *const p[4] = {a, b, c, d};
     int sign = distances_by_integers(p);
-    return sign != UNDECIDED ? sign : distances_by_sum(p);
+    return sign != NOOK_UNDECIDED ? sign : distances_by_sum(p);
 }
 
 int nook_compare_distances(const nook_point *a, const nook_point *b, const nook_point *c,
                            const nook_point *d) {
     int sign = distances_by_floats(a, b, c, d);
-    return sign != UNDECIDED ? sign : distances_without_floats(a, b, c, d);
+    return sign != NOOK_UNDECIDED ? sign : distances_without_floats(a, b, c, d);
 }
 
 int nook_compare_normals(const nook_point *const p[4], const nook_point *const q[4]) {
     int sign = normals_by_floats(p, q);
-    return sign != UNDECIDED ? sign : normals_by_sum(p, q);
+    return sign != NOOK_UNDECIDED ? sign : normals_by_sum(p, q);
 }
 
 /* ---- volume ------------------------------------------------------------------------------------ */
@@ -429,31 +411,46 @@ void nook_volume_merge(nook_volume *volume, const nook_volume *other) {
 
 int nook_volume_sign(const nook_volume *volume) { return sign_of_sum(volume->word, NOOK_VOLUME_WORDS); }
 
-/* The highest 32 bits, and whether anything stands below them, decide how a sixth rounds. */
-float nook_volume_value(const nook_volume *volume) {
-    int sign = nook_volume_sign(volume);
-    int32_t exponent = -447;
+/* The highest 32 bits of a sum and where they stand, the last bit set if anything stands below them; 0 if it is 0. */
+static uint32_t top_of_sum(const uint32_t *sum, uint32_t words, int sign, int32_t *exponent) {
     uint32_t high = 0, mid = 0, rest = 0, last = 0, below = 0, borrow = 0, i;
-    float sixth;
-    for (i = 0; i < NOOK_VOLUME_WORDS; i++) {
-        uint32_t word = volume->word[i];
-        int64_t digit = (sign > 0 ? (int64_t)word - zero : (int64_t)zero - word) - borrow;
+    for (i = 0; i < words; i++) {
+        int64_t digit = (sign > 0 ? (int64_t)sum[i] - zero : (int64_t)zero - sum[i]) - borrow;
         borrow = digit < 0;
         if ((uint32_t)digit != 0) {
             high = (uint32_t)digit, mid = last, rest = below;
-            exponent = 32 * (int32_t)i - 447;
+            *exponent = 32 * (int32_t)i - 447;
         }
         below |= last;
         last = (uint32_t)digit;
     }
     if (high == 0) return 0;
-    for (; high < 0x80000000u; exponent--) {
+    for (; high < 0x80000000u; --*exponent) {
         high = high << 1 | mid >> 31;
         mid <<= 1;
     }
-    if (exponent < -200) return 0;
-    sixth = (float)(high / 6u | ((high % 6u | mid | rest) != 0));
+    return high | ((mid | rest) != 0);
+}
+
+float nook_volume_value(const nook_volume *volume) {
+    int sign = nook_volume_sign(volume);
+    int32_t exponent = 0;
+    uint32_t high = top_of_sum(volume->word, NOOK_VOLUME_WORDS, sign, &exponent);
+    float sixth;
+    if (high == 0 || exponent < -200) return 0;
+    sixth = (float)(high / 6u | (high % 6u != 0));
     sixth *= nook_power_of_two((uint32_t)(127 + exponent / 2));
     sixth *= nook_power_of_two((uint32_t)(127 + exponent - exponent / 2));
     return sign > 0 ? sixth : -sixth;
+}
+
+float nook_determinant(const nook_point *const p[4], bool direction, int32_t *exponent) {
+    uint32_t sum[SUM_WORDS];
+    float value;
+    int sign;
+    add_determinant(sum, p, direction ? 3u : NOOK_NONE);
+    sign = -sign_of_sum(sum, SUM_WORDS);
+    *exponent = 0;
+    value = (float)top_of_sum(sum, SUM_WORDS, -sign, exponent);
+    return sign > 0 ? value : -value;
 }

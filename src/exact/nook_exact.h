@@ -33,6 +33,10 @@ int nook_orient2d(const nook_point *a, const nook_point *b, const nook_point *c,
 int nook_passing(const nook_point *o, const nook_point *d, const nook_point *a, const nook_point *b);
 int nook_turning(const nook_point *a, const nook_point *b, const nook_point *d, uint32_t axis);
 
+/* The value of which nook_orient3d gives the sign, or with direction nook_passing(p[0], p[3], p[1], p[2]): the number returned,
+ * correctly rounded, times 2^exponent. As slow as the last stage. */
+float nook_determinant(const nook_point *const p[4], bool direction, int32_t *exponent);
+
 /* The first axis along which the triangle a, b, c is seen with an area, in *axis, and orient2d there;
  * 0, and any axis, if the three lie on a line: a triangle without area. */
 int nook_facing(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t *axis);
@@ -45,6 +49,40 @@ int nook_compare_distances(const nook_point *a, const nook_point *b, const nook_
  * normal (p2 - p0) x (p3 - p1), twice its vector area; for a triangle give the last point twice. +1 less than a right
  * angle apart, -1 more, 0 exactly that, or a piece without area. Floats are tried first on every core. */
 int nook_compare_normals(const nook_point *const p[4], const nook_point *const q[4]);
+
+/* ---- the first stage, for loops that have something cheaper to try than the others ---- */
+
+#define NOOK_UNDECIDED 2
+
+/* A sign, if the value is beyond its error: that of rounding, relative to what was added up, and that of
+ * products below the smallest normal float, which scale carries along. Else NOOK_UNDECIDED. NaN decides nothing. */
+static inline int nook_decided(float value, float relative, float magnitude, float scale) {
+    float error = relative * magnitude + 0x1p-120f * (scale + 1.0f);
+    if (value > error) return 1;
+    return -value > error ? -1 : NOOK_UNDECIDED;
+}
+
+static inline float nook_abs(float x) { return x < 0 ? -x : x; }
+
+/* The sign of b x c . d, each rounded once; always NOOK_UNDECIDED without an FPU. */
+static inline int nook_triple_sign(nook_point b, nook_point c, nook_point d) {
+#if NOOK_HAS_FPU
+    float bc = b.x * c.y, cb = c.x * b.y, cd = c.x * d.y, dc = d.x * c.y, db = d.x * b.y, bd = b.x * d.y;
+    float zb = nook_abs(b.z), zc = nook_abs(c.z), zd = nook_abs(d.z);
+    float most = (nook_abs(bc) + nook_abs(cb)) * zd + (nook_abs(cd) + nook_abs(dc)) * zb +
+                 (nook_abs(db) + nook_abs(bd)) * zc;
+    return nook_decided((bc - cb) * d.z + (cd - dc) * b.z + (db - bd) * c.z, 8 * 0x1p-24f, most,
+                        zb + zc + zd);
+#else
+    (void)b, (void)c, (void)d;
+    return NOOK_UNDECIDED;
+#endif
+}
+
+static inline int nook_orient3d_fast(const nook_point *a, const nook_point *b, const nook_point *c,
+                                     const nook_point *d) {
+    return nook_triple_sign(nook_sub(*b, *a), nook_sub(*c, *a), nook_sub(*d, *a));
+}
 
 /* The volume enclosed by triangles: six times the sum of the tetrahedra over them from the origin, exact,
  * so the order of the triangles does not matter. For coordinates up to 2^30 and up to 2^32 triangles. */

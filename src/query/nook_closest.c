@@ -1,6 +1,7 @@
 /* nook_closest.c -- nearest boxes first, and the nearest of each triangle's points in them. */
 #include "query/nook_closest.h"
 
+#include "query/nook_lanes.h"
 #include "query/nook_pair.h"
 
 /* ---- boxes ---------------------------------------------------------------------------------------- */
@@ -11,25 +12,23 @@ static void set_axis(nook_closest *q, uint32_t axis) {
     float high = nook_in_cells(q->bvh, a < b ? b : a, axis, &more);
     (&q->low.x)[axis] = low - slack - 1.0f; /* a bound leaves out the width of its cell */
     (&q->high.x)[axis] = high + more;
-    (&q->width.x)[axis] = 1.0f / (&q->bvh->cells.x)[axis];
+    (&q->width.x)[axis] = q->scale / (&q->bvh->cells.x)[axis];
 }
 
-static void visit_group(nook_closest *q) {
+static inline void visit_group(nook_closest *q) {
     const nook_boxes *group = nook_descent_boxes(&q->descent, q->bvh);
-    float square[4] = {0, 0, 0, 0};
     uint32_t entry[4], axis, i;
-    for (axis = 0; axis < 3u; axis++) {
-        float low = (&q->low.x)[axis], high = (&q->high.x)[axis], width = (&q->width.x)[axis];
-        for (i = 0; i < 4u; i++) {
-            float above = (float)group->low[axis][i] - high, below = low - (float)group->high[axis][i];
-            float apart = above > below ? above : below;
-            apart = (apart > 0 ? apart : 0) * width;
-            square[i] += apart * apart;
+    for (i = 0; i < 4u; i += NOOK_LANES) {
+        nook_lanes square = nook_lanes_of(0);
+        for (axis = 0; axis < 3u; axis++) {
+            nook_lanes above = nook_load(&group->low[axis][i]) - nook_lanes_of((&q->high.x)[axis]);
+            nook_lanes below = nook_lanes_of((&q->low.x)[axis]) - nook_load(&group->high[axis][i]);
+            nook_lanes apart = nook_larger(nook_larger(above, below), nook_lanes_of(0));
+            apart = apart * nook_lanes_of((&q->width.x)[axis]);
+            square = square + apart * apart;
         }
-    }
-    for (i = 0; i < 4u; i++) {
-        float least = square[i] * (1.0f - 0x1p-18f);
-        entry[i] = least <= q->reach ? nook_entry(least, i) : NOOK_UP;
+        square = square * nook_lanes_of(1.0f - 0x1p-18f);
+        nook_set_entries(entry, i, square <= nook_lanes_of(q->reach), square);
     }
     nook_descent_push(&q->descent, entry);
 }

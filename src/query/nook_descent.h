@@ -17,7 +17,7 @@ typedef struct nook_descent {
     uint32_t base;        /* where the groups of its level begin */
     uint16_t entries;
     uint16_t now; /* the entry of the node, until it has been looked at; then NOOK_UP */
-    uint16_t entry[4 * NOOK_BVH_LEVELS + 2];
+    uint16_t entry[4 * NOOK_BVH_LEVELS + 4];
 } nook_descent;
 
 static inline uint32_t nook_groups_of_level(uint32_t nt, uint32_t level) {
@@ -64,15 +64,25 @@ static inline void nook_descent_leave(nook_descent *d) {
     d->now = NOOK_UP;
 }
 
+static inline void nook_sort_entries(uint32_t *a, uint32_t *b) {
+    uint32_t less = *a < *b ? *a : *b, more = *a < *b ? *b : *a;
+    *a = less;
+    *b = more;
+}
+
 /* It is a group and these of its children are to be looked at (NOOK_UP: not this one), the least first. */
-static inline void nook_descent_push(nook_descent *d, const uint32_t entry[4]) {
-    uint32_t first, i, j, n;
+static inline void nook_descent_push(nook_descent *d, uint32_t entry[4]) {
+    uint32_t n, i;
     nook_descent_leave(d);
-    first = n = d->entries;
-    for (i = 0; i < 4u; i++) {
-        if (entry[i] == NOOK_UP) continue;
-        for (j = n++; j > first && d->entry[j - 1u] < entry[i]; j--) d->entry[j] = d->entry[j - 1u];
-        d->entry[j] = (uint16_t)entry[i];
+    nook_sort_entries(&entry[0], &entry[1]);
+    nook_sort_entries(&entry[2], &entry[3]);
+    nook_sort_entries(&entry[0], &entry[2]);
+    nook_sort_entries(&entry[1], &entry[3]);
+    nook_sort_entries(&entry[1], &entry[2]);
+    n = d->entries;
+    for (i = 4; i-- > 0;) {
+        d->entry[n] = (uint16_t)entry[i];
+        n += entry[i] != NOOK_UP;
     }
     d->entries = (uint16_t)n;
 }

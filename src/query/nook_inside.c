@@ -2,6 +2,7 @@
 #include "query/nook_inside.h"
 
 #include "exact/nook_exact.h"
+#include "query/nook_lanes.h"
 
 static uint32_t after(uint32_t i) { return i == 2u ? 0 : i + 1u; }
 
@@ -9,18 +10,18 @@ static float at(const nook_point *p, uint32_t axis) { return (&p->x)[axis]; }
 
 /* ---- boxes ---------------------------------------------------------------------------------------- */
 
-/* Whether a box may hold a triangle that the line crosses, or the point. */
-static bool may_cross(const nook_inside *q, const nook_boxes *g, uint32_t child) {
-    uint32_t u = after(q->axis), v = after(u), x = q->cell[q->axis];
-    if (g->low[u][child] > q->cell[u] || g->high[u][child] < q->cell[u]) return false;
-    if (g->low[v][child] > q->cell[v] || g->high[v][child] < q->cell[v]) return false;
-    return q->sign > 0 ? g->high[q->axis][child] >= x : g->low[q->axis][child] <= x;
-}
-
-static void visit_group(nook_inside *q) {
-    const nook_boxes *group = nook_descent_boxes(&q->descent, q->bvh);
-    uint32_t entry[4], i;
-    for (i = 0; i < 4u; i++) entry[i] = may_cross(q, group, i) ? i : NOOK_UP;
+/* The boxes that may hold a triangle that the line crosses, or the point. */
+static inline void visit_group(nook_inside *q) {
+    const nook_boxes *g = nook_descent_boxes(&q->descent, q->bvh);
+    uint32_t entry[4], u = after(q->axis), v = after(u), i;
+    int32_t x = (int32_t)q->cell[q->axis], y = (int32_t)q->cell[u], z = (int32_t)q->cell[v];
+    for (i = 0; i < 4u; i += NOOK_LANES) {
+        nook_flags some = (nook_load_cells(&g->low[u][i]) <= y) & (nook_load_cells(&g->high[u][i]) >= y) &
+                          (nook_load_cells(&g->low[v][i]) <= z) & (nook_load_cells(&g->high[v][i]) >= z);
+        some = some & (q->sign > 0 ? nook_load_cells(&g->high[q->axis][i]) >= x
+                                   : nook_load_cells(&g->low[q->axis][i]) <= x);
+        nook_set_entries(entry, i, some, nook_lanes_of(0));
+    }
     nook_descent_push(&q->descent, entry);
 }
 
@@ -80,7 +81,7 @@ static void look_at(nook_inside *q, uint32_t t, const nook_point *const p[3]) {
         ahead = true;
     } else {
         int side = nook_orient3d(p[0], p[1], p[2], &q->point);
-        if (side == 0 && is_on(p, &q->point)) q->on = t;
+        if (side == 0 && t < q->on && is_on(p, &q->point)) q->on = t;
         ahead = side * turn * q->sign < 0;
     }
     if (turn == 0 || !ahead) return;

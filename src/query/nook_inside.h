@@ -13,8 +13,9 @@
 
 typedef struct nook_inside {
     /* The answer, valid when step has said NOOK_OK. */
-    uint32_t on;        /* a triangle that the point lies on, exactly; or NOOK_NONE */
-    uint32_t crossings; /* odd: inside. Not counted to the end if it lies on one */
+    uint32_t
+        on; /* the triangle of the lowest number with an area that the point lies on, exactly; or NOOK_NONE */
+    uint32_t crossings; /* odd: inside */
     int32_t winding;
 
     const nook_bvh *bvh;

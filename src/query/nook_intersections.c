@@ -1,8 +1,10 @@
 /* nook_intersections.c -- each triangle, and each border edge, against the tree. */
 #include "query/nook_intersections.h"
 
+#include "query/nook_lanes.h"
 #include "query/nook_pair.h"
 
+/* The cells of a box. */
 static void set_cells(const nook_bvh *bvh, nook_point low, nook_point high, nook_bound from[3],
                       nook_bound to[3]) {
     uint32_t axis;
@@ -13,30 +15,22 @@ static void set_cells(const nook_bvh *bvh, nook_point low, nook_point high, nook
 }
 
 /* Which children's boxes overlap one in cells. */
-static void visit_group(nook_descent *d, const nook_bvh *bvh, const nook_bound low[3],
-                        const nook_bound high[3]) {
+static inline void visit_group(nook_descent *d, const nook_bvh *bvh, const nook_bound low[3],
+                               const nook_bound high[3]) {
     const nook_boxes *g = nook_descent_boxes(d, bvh);
-    uint32_t apart[4] = {0, 0, 0, 0}, entry[4], axis, i;
-    for (axis = 0; axis < 3u; axis++) {
-        for (i = 0; i < 4u; i++) {
-            apart[i] |= (uint32_t)(g->low[axis][i] > high[axis]) | (uint32_t)(g->high[axis][i] < low[axis]);
+    uint32_t entry[4], axis, i;
+    for (i = 0; i < 4u; i += NOOK_LANES) {
+        nook_flags some = nook_load_cells(&g->low[0][i]) <= high[0];
+        for (axis = 0; axis < 3u; axis++) {
+            some = some & (nook_load_cells(&g->low[axis][i]) <= high[axis]);
+            some = some & (nook_load_cells(&g->high[axis][i]) >= low[axis]);
         }
+        nook_set_entries(entry, i, some, nook_lanes_of(0));
     }
-    for (i = 0; i < 4u; i++) entry[i] = apart[i] != 0 ? NOOK_UP : i;
     nook_descent_push(d, entry);
 }
 
 /* ---- pairs ---------------------------------------------------------------------------------------- */
-
-static bool begin_triangle(nook_intersections *q) {
-    const nook_point *p[3];
-    nook_point low, high;
-    if (!nook_points_of(q->bvh, q->t, p)) return false;
-    nook_box(&q->bvh->view, q->t, &low, &high);
-    set_cells(q->bvh, low, high, q->low, q->high);
-    nook_descent_begin(&q->descent, q->bvh->view.nt);
-    return true;
-}
 
 nook_status nook_intersections_begin(nook_intersections *q, const nook_bvh *bvh) {
     nook_status status = nook_bvh_status(bvh);
@@ -44,45 +38,115 @@ nook_status nook_intersections_begin(nook_intersections *q, const nook_bvh *bvh)
     if (status != NOOK_OK) return status;
     memset(q, 0, sizeof *q);
     q->bvh = bvh;
-    q->t = NOOK_NONE;
+    q->leaf = NOOK_NONE;
     q->descent.now = NOOK_UP;
     return NOOK_OK;
 }
 
-/* The triangles of a leaf from next on, up to one that t intersects. */
-static nook_status visit_leaf(nook_intersections *q) {
-    uint32_t first = 4u * q->descent.node, nt = q->bvh->view.nt;
-    while (q->next < 4u && first + q->next < nt) {
-        uint32_t u = nook_triangle_at(q->bvh, first + q->next++);
-        const nook_point *p[3];
-        if (!nook_points_of(q->bvh, u, p)) return NOOK_INDEX_OUT_OF_RANGE;
-        if (u <= q->t || !nook_triangles_intersect(&q->bvh->view, q->t, u)) continue;
-        q->u = u;
-        q->count++;
-        return NOOK_TRIANGLE;
+/* The next leaf, its box as its group has it, is held against the tree. */
+static void begin_leaf(nook_intersections *q) {
+    const nook_boxes *group = &q->bvh->boxes[++q->leaf >> 2];
+    uint32_t axis;
+    for (axis = 0; axis < 3u; axis++) {
+        q->low[axis] = group->low[axis][q->leaf & 3u];
+        q->high[axis] = group->high[axis][q->leaf & 3u];
     }
-    q->next = 0;
-    nook_descent_leave(&q->descent);
-    return NOOK_OK;
+    nook_descent_begin(&q->descent, q->bvh->view.nt);
+}
+
+/* The boxes of some triangles side by side. */
+typedef struct bundle {
+    nook_lanes low[3], high[3];
+} bundle;
+
+static bool box_at(const nook_bvh *bvh, uint32_t place, nook_point *low, nook_point *high) {
+    const nook_point *p[3];
+    uint32_t last = bvh->view.nt - 1u;
+    if (!nook_points_of(bvh, nook_triangle_at(bvh, place < last ? place : last), p)) return false;
+    *low = nook_low(nook_low(*p[0], *p[1]), *p[2]);
+    *high = nook_high(nook_high(*p[0], *p[1]), *p[2]);
+    return true;
+}
+
+/* Which triangles of a leaf, as bits, have boxes that overlap one. */
+static uint32_t overlapping(const bundle *b, nook_point low, nook_point high) {
+    nook_flags some = (b->low[0] <= nook_lanes_of(high.x)) & (b->high[0] >= nook_lanes_of(low.x)) &
+                      (b->low[1] <= nook_lanes_of(high.y)) & (b->high[1] >= nook_lanes_of(low.y)) &
+                      (b->low[2] <= nook_lanes_of(high.z)) & (b->high[2] >= nook_lanes_of(low.z));
+    uint32_t bits = 0, k;
+    for (k = 0; k < NOOK_LANES; k++) bits |= (uint32_t)nook_flag(some, k) << k;
+    return bits;
+}
+
+/* Bits 4 i + j of pairs: place i of the leaf and place j of the node have boxes that overlap, and i comes first. */
+static bool find_pairs(nook_intersections *q) {
+    uint32_t nt = q->bvh->view.nt, i, j, k, axis, first = 4u * q->leaf, second = 4u * q->descent.node;
+    nook_point low[4], high[4], a, b;
+    q->pairs = 0;
+    for (i = 0; i < 4u; i++) {
+        if (!box_at(q->bvh, first + i, &low[i], &high[i])) return false;
+    }
+    for (j = 0; j < 4u; j += NOOK_LANES) {
+        bundle boxes;
+        for (k = 0; k < NOOK_LANES; k++) {
+            if (!box_at(q->bvh, second + j + k, &a, &b)) return false;
+            for (axis = 0; axis < 3u; axis++) {
+                NOOK_SET_LANE(boxes.low[axis], k, (&a.x)[axis]);
+                NOOK_SET_LANE(boxes.high[axis], k, (&b.x)[axis]);
+            }
+        }
+        for (i = 0; i < 4u; i++) q->pairs |= overlapping(&boxes, low[i], high[i]) << (4u * i + j);
+    }
+    for (i = 0; i < 16u; i++) {
+        uint32_t one = first + (i >> 2), other = second + (i & 3u);
+        if (one >= other || other >= nt) q->pairs &= ~((uint32_t)1 << i);
+    }
+    return true;
+}
+
+/* The next of the pairs that intersects. */
+static bool next_pair(nook_intersections *q) {
+    while (q->pairs != 0) {
+        uint32_t i = 0, t, u;
+        while ((q->pairs >> i & 1u) == 0) i++;
+        q->pairs &= q->pairs - 1u;
+        t = nook_triangle_at(q->bvh, 4u * q->leaf + (i >> 2));
+        u = nook_triangle_at(q->bvh, 4u * q->descent.node + (i & 3u));
+        if (!nook_triangles_intersect(&q->bvh->view, t, u)) continue;
+        q->t = t < u ? t : u;
+        q->u = t < u ? u : t;
+        q->count++;
+        return true;
+    }
+    return false;
+}
+
+/* A leaf before this one has seen this one already, and so have all below a group that ends before. */
+static bool comes_before(const nook_intersections *q) {
+    return (q->descent.node + 1u) << 2u * q->descent.level <= q->leaf;
 }
 
 nook_status nook_intersections_step(nook_intersections *q, uint32_t *units) {
     uint32_t nt = q->bvh->view.nt;
+    nook_descent *d = &q->descent;
     for (;;) {
-        nook_status status = NOOK_OK;
-        bool more = nook_descent_next(&q->descent, nt, NOOK_UP);
-        if (!more && q->t + 1u >= nt) return NOOK_OK;
+        bool more;
+        if (next_pair(q)) return NOOK_TRIANGLE;
+        more = nook_descent_next(d, nt, NOOK_UP);
+        if (!more && q->leaf + 1u == (nt + 3u) / 4u) return NOOK_OK;
         if (*units == 0) return NOOK_MORE;
         --*units;
         if (!more) {
-            q->t++;
-            if (!begin_triangle(q)) status = NOOK_INDEX_OUT_OF_RANGE;
-        } else if (q->descent.level != 0) {
-            visit_group(&q->descent, q->bvh, q->low, q->high);
+            begin_leaf(q);
+        } else if (comes_before(q)) {
+            nook_descent_leave(d);
+        } else if (d->level != 0) {
+            visit_group(d, q->bvh, q->low, q->high);
+        } else if (find_pairs(q)) {
+            nook_descent_leave(d);
         } else {
-            status = visit_leaf(q);
+            return NOOK_INDEX_OUT_OF_RANGE;
         }
-        if (status != NOOK_OK) return status;
     }
 }
 

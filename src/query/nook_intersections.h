@@ -10,16 +10,17 @@
 #include "query/nook_descent.h"
 
 typedef struct nook_intersections {
-    uint32_t t, u;  /* out, with NOOK_TRIANGLE: a pair, t < u. t is ascending */
+    uint32_t t, u;  /* out, with NOOK_TRIANGLE: a pair, t < u */
     uint32_t count; /* out: pairs so far */
 
     const nook_bvh *bvh;
-    nook_bound low[3], high[3]; /* the box of t */
-    uint32_t next;              /* in the leaf */
+    uint32_t leaf;
+    nook_bound low[3], high[3]; /* its box */
+    uint32_t pairs;             /* of it and the leaf that the descent is at, still to be tried */
     nook_descent descent;
 } nook_intersections;
 
-/* All pairs of the mesh, each once. *bvh must stay until the end.
+/* All pairs of the mesh, each once, in the order of the tree. *bvh must stay until the end.
  *   NOOK_NULL_ARGUMENT
  * step: NOOK_TRIANGLE, NOOK_MORE, NOOK_OK at the end, NOOK_INDEX_OUT_OF_RANGE (tables spoiled after the build).
  * Steps: nt log nt on meshes that do not cut themselves much; at most 1.34 nt^2 + 10 nt. */

@@ -96,8 +96,35 @@ static bool share_plane(corners a, corners b) {
     return true;
 }
 
+/* Along which axis the triangle is seen largest, by floats. */
+static uint32_t broadest(corners p) {
+    nook_point n = nook_cross(nook_sub(*p[1], *p[0]), nook_sub(*p[2], *p[0]));
+    float x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;
+    return x > y ? (x > z ? 0 : 2u) : (y > z ? 1u : 2u);
+}
+
+/* Whether all corners of b lie on one side of a for certain. */
+static bool is_clear(corners a, corners b) {
+    int side = nook_orient3d_fast(a[0], a[1], a[2], b[0]);
+    return side != NOOK_UNDECIDED && side == nook_orient3d_fast(a[0], a[1], a[2], b[1]) &&
+           side == nook_orient3d_fast(a[0], a[1], a[2], b[2]);
+}
+
+/* What is cheap and settles most: they are apart along an axis, or on one side, or seen along one axis beside one another. */
+static bool are_apart(corners a, corners b) {
+    uint32_t axis;
+    for (axis = 0; axis < 3u; axis++) {
+        if (interval_parts(a, b, axis)) return true;
+    }
+    if (is_clear(a, b) || is_clear(b, a)) return true;
+    axis = broadest(a);
+    return edge_parts(a, b, axis) || edge_parts(b, a, axis);
+}
+
 bool nook_triangles_meet(const nook_point *const a[3], const nook_point *const b[3]) {
-    sides of_b = sides_of(a, b), of_a;
+    sides of_b, of_a;
+    if (are_apart(a, b)) return false;
+    of_b = sides_of(a, b);
     if (all_beyond(&of_b)) return false;
     of_a = sides_of(b, a);
     if (all_beyond(&of_a)) return false;
@@ -112,12 +139,35 @@ static bool has_area(corners p) {
     return nook_facing(p[0], p[1], p[2], &axis) != 0;
 }
 
-/* a and b share their first corners: whether the edge of b that faces it meets a. */
+/* a and b share their first corners. Whether nothing else of b can be on a: it lies clear on one side of a, or, seen along
+ * an axis, beyond one of the two edges that meet there. */
+static bool is_beyond(corners a, corners b) {
+    int one = nook_orient3d_fast(a[0], a[1], a[2], b[1]), other = nook_orient3d_fast(a[0], a[1], a[2], b[2]);
+    return one == other && one != NOOK_UNDECIDED;
+}
+
+static bool is_beside(corners a, corners b, uint32_t axis) {
+    int turn = nook_orient2d(a[0], a[1], a[2], axis);
+    if (turn == 0) return false;
+    if (nook_orient2d(a[0], a[1], b[1], axis) == -turn && nook_orient2d(a[0], a[1], b[2], axis) == -turn)
+        return true;
+    return nook_orient2d(a[2], a[0], b[1], axis) == -turn && nook_orient2d(a[2], a[0], b[2], axis) == -turn;
+}
+
+/* Whether the edge of b that faces the shared corner meets a. */
 static bool facing_edge_meets(corners a, corners b) {
     const nook_point *const edge[3] = {b[1], b[2], b[2]};
     int one = nook_orient3d(a[0], a[1], a[2], b[1]), other = nook_orient3d(a[0], a[1], a[2], b[2]);
     if (one == 0 && other == 0) return meet_in_plane(a, edge);
     return one * other <= 0 && pierces(b[1], b[2], a);
+}
+
+static bool meet_beyond_corner(corners a, corners b) {
+    uint32_t axis;
+    if (is_beyond(a, b) || is_beyond(b, a)) return false;
+    axis = broadest(a);
+    if (is_beside(a, b, axis) || is_beside(b, a, axis)) return false;
+    return facing_edge_meets(a, b) || facing_edge_meets(b, a);
 }
 
 /* a and b share their first two corners: whether one is folded upon the other. */
@@ -132,7 +182,7 @@ static bool is_folded(corners a, corners b) {
 static bool intersect(corners a, corners b, uint32_t shared) {
     switch (shared) {
     case 0: return nook_triangles_meet(a, b);
-    case 1: return facing_edge_meets(a, b) || facing_edge_meets(b, a);
+    case 1: return meet_beyond_corner(a, b);
     case 2: return is_folded(a, b);
     default: return true;
     }

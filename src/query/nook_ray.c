@@ -2,6 +2,7 @@
 #include "query/nook_ray.h"
 
 #include "exact/nook_exact.h"
+#include "query/nook_lanes.h"
 
 /* ---- boxes ---------------------------------------------------------------------------------------- */
 
@@ -23,30 +24,28 @@ static void set_axis(nook_ray *r, uint32_t axis) {
     (&r->far.x)[axis] = origin - 1.0f - slack;
 }
 
-static inline void cut_axis(const nook_ray *r, const nook_boxes *g, uint32_t axis, float near[4],
-                            float far[4]) {
-    float inverse = (&r->inverse.x)[axis];
+/* The part of the ray, from near to far, between the bounds of some children along one axis. */
+static inline void cut(const nook_ray *r, const nook_boxes *g, uint32_t child, uint32_t axis,
+                       nook_lanes *near, nook_lanes *far) {
+    float inverse = (&r->inverse.x)[axis], low = (&r->near.x)[axis], high = (&r->far.x)[axis];
     bool back = inverse < 0;
-    const nook_bound *first = back ? g->high[axis] : g->low[axis],
-                     *second = back ? g->low[axis] : g->high[axis];
-    float from = back ? (&r->far.x)[axis] : (&r->near.x)[axis],
-          to = back ? (&r->near.x)[axis] : (&r->far.x)[axis];
-    uint32_t i;
-    for (i = 0; i < 4u; i++) {
-        float a = ((float)first[i] - from) * inverse, b = ((float)second[i] - to) * inverse;
-        near[i] = a > near[i] ? a : near[i];
-        far[i] = b < far[i] ? b : far[i];
-    }
+    nook_lanes a = nook_load(&g->low[axis][child]), b = nook_load(&g->high[axis][child]);
+    a = (a - nook_lanes_of(low)) * nook_lanes_of(inverse);
+    b = (b - nook_lanes_of(high)) * nook_lanes_of(inverse);
+    *near = nook_larger(back ? b : a, *near);
+    *far = nook_smaller(back ? a : b, *far);
 }
 
-static void visit_group(nook_ray *r) {
+static inline void visit_group(nook_ray *r) {
     const nook_boxes *group = nook_descent_boxes(&r->descent, r->bvh);
-    float near[4] = {0, 0, 0, 0}, far[4] = {r->reach, r->reach, r->reach, r->reach};
     uint32_t entry[4], i;
-    cut_axis(r, group, 0, near, far);
-    cut_axis(r, group, 1, near, far);
-    cut_axis(r, group, 2, near, far);
-    for (i = 0; i < 4u; i++) entry[i] = near[i] <= far[i] ? nook_entry(near[i], i) : NOOK_UP;
+    for (i = 0; i < 4u; i += NOOK_LANES) {
+        nook_lanes near = nook_lanes_of(0), far = nook_lanes_of(r->reach);
+        cut(r, group, i, 0, &near, &far);
+        cut(r, group, i, 1, &near, &far);
+        cut(r, group, i, 2, &near, &far);
+        nook_set_entries(entry, i, near <= far, near);
+    }
     nook_descent_push(&r->descent, entry);
 }
 
@@ -59,35 +58,34 @@ typedef struct sides {
 
 static bool differ(int a, int b) { return a * b < 0; }
 
-#if NOOK_HAS_FPU
-static float largest(nook_point a) {
-    float x = a.x < 0 ? -a.x : a.x, y = a.y < 0 ? -a.y : a.y, z = a.z < 0 ? -a.z : a.z;
-    float most = x > y ? x : y;
-    return most > z ? most : z;
+/* The corners of some triangles from the origin: x, y, z of each. */
+typedef struct bundle {
+    nook_lanes x[3], y[3], z[3];
+} bundle;
+
+static inline nook_lanes passing(const nook_ray *r, const bundle *p, uint32_t i, uint32_t j) {
+    return (p->y[i] * p->z[j] - p->z[i] * p->y[j]) * nook_lanes_of(r->toward.x) +
+           (p->z[i] * p->x[j] - p->x[i] * p->z[j]) * nook_lanes_of(r->toward.y) +
+           (p->x[i] * p->y[j] - p->y[i] * p->x[j]) * nook_lanes_of(r->toward.z);
 }
 
-/* Whether the line clearly misses: two edges are passed on different sides, by more than rounding can do. That settles
- * most triangles; the exact signs settle the rest. */
-static bool misses(const nook_ray *r, const nook_point *const p[3]) {
-    nook_point a = nook_sub(*p[0], r->origin), b = nook_sub(*p[1], r->origin), c = nook_sub(*p[2], r->origin);
-    float A = largest(a), B = largest(b), C = largest(c), margin = 128 * 0x1p-24f;
-    float ab = nook_dot(nook_cross(a, b), r->toward), bc = nook_dot(nook_cross(b, c), r->toward);
-    float ca = nook_dot(nook_cross(c, a), r->toward);
-    float least = ab < bc ? ab : bc, most = ab > bc ? ab : bc;
-    least = ca < least ? ca : least;
-    most = ca > most ? ca : most;
-    A = A > B ? A : B;
-    A = A > C ? A : C;
-    margin = margin * A * A + 0x1p-120f;
-    return least < -margin && most > margin;
+static inline nook_lanes largest(const bundle *p, uint32_t i) {
+    return nook_larger(nook_larger(nook_magnitude(p->x[i]), nook_magnitude(p->y[i])),
+                       nook_magnitude(p->z[i]));
 }
-#else
-#define misses(r, p) false
-#endif
+
+/* Which of them the line clearly misses: two edges are passed on different sides, by more than rounding can do. That
+ * settles most; the exact signs settle the rest. */
+static inline nook_flags misses(const nook_ray *r, const bundle *p) {
+    nook_lanes ab = passing(r, p, 0, 1), bc = passing(r, p, 1, 2), ca = passing(r, p, 2, 0);
+    nook_lanes far = nook_larger(nook_larger(largest(p, 0), largest(p, 1)), largest(p, 2));
+    nook_lanes margin = far * far * nook_lanes_of(0x1p-17f) + nook_lanes_of(0x1p-120f);
+    nook_lanes least = nook_smaller(nook_smaller(ab, bc), ca), most = nook_larger(nook_larger(ab, bc), ca);
+    return (least < -margin) & (most > margin);
+}
 
 /* Whether the line goes through the triangle or touches it. In one plane with it, all signs are 0. */
 static bool meets(const nook_ray *r, const nook_point *const p[3], sides *s) {
-    if (misses(r, p)) return false;
     s->edge[0] = nook_passing(&r->origin, &r->direction, p[0], p[1]);
     s->edge[1] = nook_passing(&r->origin, &r->direction, p[1], p[2]);
     if (differ(s->edge[0], s->edge[1])) return false;
@@ -100,15 +98,42 @@ static float t_of(const nook_ray *r, const nook_point *p) {
     return ((&p->x)[r->axis] - (&r->origin.x)[r->axis]) / (&r->toward.x)[r->axis];
 }
 
-/* Where the line goes through the plane; not outside of what the corners span, however flat it meets the plane. */
+/* Twice the area of the triangle as a vector, at the corner that faces its longest edge, which comes first then: the two
+ * others tell most about a thin one. */
+static nook_point area_of(const nook_point *const p[3], const nook_point *q[3]) {
+    nook_point ab = nook_sub(*p[1], *p[0]), bc = nook_sub(*p[2], *p[1]), ca = nook_sub(*p[0], *p[2]);
+    float c = nook_dot(ab, ab), a = nook_dot(bc, bc), b = nook_dot(ca, ca);
+    uint32_t first = a >= b && a >= c ? 0 : b >= c ? 1u : 2u;
+    q[0] = p[first];
+    q[1] = p[nook_after(first)];
+    q[2] = p[nook_after(nook_after(first))];
+    return nook_cross(nook_sub(*q[1], *q[0]), nook_sub(*q[2], *q[0]));
+}
+
+static float by_powers(float x, int32_t exponent) {
+    for (; exponent > 100; exponent -= 100) x *= 0x1p100f;
+    for (; exponent < -100; exponent += 100) x *= 0x1p-100f;
+    return x * nook_power_of_two((uint32_t)(127 + exponent));
+}
+
+/* The same without rounding but at the end. */
+NOOK_APART static float t_exactly(const nook_ray *r, const nook_point *const p[3]) {
+    const nook_point *const above[4] = {p[0], p[1], p[2], &r->origin}, *const along[4] = {p[0], p[1], p[2],
+                                                                                          &r->direction};
+    int32_t high, across;
+    float height = nook_determinant(above, false, &high), speed = nook_determinant(along, true, &across);
+    return by_powers(-height / speed, high - across) / r->unit;
+}
+
+/* Where the line goes through the plane. Where it is so flat to it, or the triangle so thin, that rounding would show: exactly. */
 static float t_through(const nook_ray *r, const nook_point *const p[3]) {
-    nook_point n = nook_cross(nook_sub(*p[1], *p[0]), nook_sub(*p[2], *p[0]));
-    float a = t_of(r, p[0]), b = t_of(r, p[1]), c = t_of(r, p[2]);
-    float least = a < b ? a : b, most = a > b ? a : b, t;
-    least = c < least ? c : least;
-    most = c > most ? c : most;
-    t = nook_dot(nook_sub(*p[0], r->origin), n) / nook_dot(r->toward, n);
-    return t > least ? t < most ? t : most : least; /* least too if there is no number */
+    const nook_point *q[3];
+    nook_point n = area_of(p, q), d = r->toward, a = nook_sub(*q[0], r->origin);
+    float speed = nook_dot(d, n), size = nook_abs(d.x * n.x) + nook_abs(d.y * n.y) + nook_abs(d.z * n.z);
+    nook_point ab = nook_sub(*q[1], *q[0]), ac = nook_sub(*q[2], *q[0]);
+    size += 2.0f * (nook_abs(ab.x * ac.y * d.z) + nook_abs(ab.y * ac.z * d.x) + nook_abs(ab.z * ac.x * d.y));
+    if (nook_abs(speed) * 32.0f > size + 0x1p-100f) return nook_dot(a, n) / speed;
+    return t_exactly(r, p);
 }
 
 /* The plane of the triangle cut by the line at t >= 0: the origin is not beyond it. turn is the sign of the edges. */
@@ -216,7 +241,6 @@ static int passing_aside(const nook_ray *r, const nook_point *a, const nook_poin
 
 static void count(nook_ray *r, const nook_point *const p[3]) {
     int turn, other;
-    if (misses(r, p)) return;
     turn = passing_aside(r, p[0], p[1]);
     other = passing_aside(r, p[1], p[2]);
     if (turn == 0 || turn != other || turn != passing_aside(r, p[2], p[0]) || !is_ahead(r, p, turn)) return;
@@ -224,17 +248,37 @@ static void count(nook_ray *r, const nook_point *const p[3]) {
     r->winding += turn;
 }
 
+/* Some triangles from a place on: those that there are and that are not missed for certain are looked at. */
+static inline bool visit_some(nook_ray *r, uint32_t place) {
+    uint32_t t[NOOK_LANES], last = r->bvh->view.nt - 1u, k, i;
+    const nook_point *p[NOOK_LANES][3];
+    nook_flags missed = {0};
+    bundle x;
+    for (k = 0; k < NOOK_LANES; k++) {
+        t[k] = nook_triangle_at(r->bvh, place + k < last ? place + k : last);
+        if (!nook_points_of(r->bvh, t[k], p[k])) return false;
+        for (i = 0; i < 3u && NOOK_HAS_FPU; i++) {
+            NOOK_SET_LANE(x.x[i], k, p[k][i]->x - r->origin.x);
+            NOOK_SET_LANE(x.y[i], k, p[k][i]->y - r->origin.y);
+            NOOK_SET_LANE(x.z[i], k, p[k][i]->z - r->origin.z);
+        }
+    }
+    if (NOOK_HAS_FPU) missed = misses(r, &x);
+    for (k = 0; k < NOOK_LANES && place + k <= last; k++) {
+        if (nook_flag(missed, k)) continue;
+        if (r->kind == NOOK_CROSSINGS) {
+            count(r, p[k]);
+        } else {
+            look_at(r, t[k], p[k]);
+        }
+    }
+    return true;
+}
+
 static bool visit_leaf(nook_ray *r) {
     uint32_t place = 4u * r->descent.node, end = place + 4u, nt = r->bvh->view.nt;
-    for (; place < end && place < nt; place++) {
-        uint32_t t = nook_triangle_at(r->bvh, place);
-        const nook_point *p[3];
-        if (!nook_points_of(r->bvh, t, p)) return false;
-        if (r->kind == NOOK_CROSSINGS) {
-            count(r, p);
-        } else {
-            look_at(r, t, p);
-        }
+    for (; place < end && place < nt; place += NOOK_LANES) {
+        if (!visit_some(r, place)) return false;
     }
     nook_descent_leave(&r->descent);
     if (r->kind == NOOK_ANY && r->triangle != NOOK_NONE) nook_descent_end(&r->descent);
@@ -285,6 +329,7 @@ nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, 
 static void describe(nook_ray *r) {
     nook_point corners[3], at = nook_scaled(r->toward, r->best);
     const nook_point *p[3];
+    float sum = 0;
     uint32_t i;
     (void)nook_points_of(r->bvh, r->triangle, p);
     r->t = r->best * r->unit;
@@ -292,13 +337,16 @@ static void describe(nook_ray *r) {
     nook_barycentric(corners, at, r->w);
     for (i = 0; i < 3u; i++) {
         if (!(r->w[i] > 0)) r->w[i] = 0;
+        sum += r->w[i];
     }
+    for (i = 0; i < 3u; i++) r->w[i] = sum > 0 ? r->w[i] / sum : i == 0 ? 1.0f : 0;
 }
 
 /* What is known: nothing is hit before t_min. */
 static nook_status conclude(nook_ray *r, nook_status status) {
     if (r->triangle != NOOK_NONE) describe(r);
     r->t_min = nook_descent_least(&r->descent, r->best) * r->unit;
+    if (r->t_min > r->t) r->t_min = r->t;
     return status;
 }
 

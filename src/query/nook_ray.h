@@ -3,7 +3,8 @@
  * Whether a ray meets a triangle is decided exactly: by the sides of the ray on which its edges pass, and of the
  * triangle on which the origin lies (nook_exact.h). So a ray through an edge or vertex of a closed mesh never slips
  * through, whatever the scale and however thin the triangles. Where on the ray is computed in floats.
- * A triangle is met on its border too, and from both sides; where it lies along the ray it is met at its first edge.
+ * A triangle is met on its border too, and from both sides, and if it has no area; where it lies along the ray it is met at
+ * its first edge.
  *
  *     nook_ray ray;
  *     nook_ray_begin(&ray, &bvh, eye, toward, NOOK_MAX_T, NOOK_NEAREST);
