@@ -86,67 +86,43 @@ static void consider_triangle(nearest *n, const nook_point p[3], nook_point x, f
     n->square = edge.square;
 }
 
-/* The nearest points of two segments, 0 d and a b, where they are between the ends (Ericson 2005, 5.1.9): the nearest to
- * an end is found from there. */
+/* The nearest points of two segments, 0 d and a b, where they are between the ends; the nearest to an end is found from
+ * there. By cross products: dot products lose twice as many bits where they are nearly parallel. */
 static void consider_edge(nearest *n, nook_point d, nook_point a, nook_point b) {
-    nook_point e = nook_sub(b, a);
-    float dd = nook_dot(d, d), ee = nook_dot(e, e), de = nook_dot(d, e);
-    float s = clamp((nook_dot(d, a) * ee - de * nook_dot(e, a)) / (dd * ee - de * de));
-    nook_point point = on_segment(a, b, nook_scaled(d, s));
-    s = clamp(nook_dot(point, d) / dd);
+    nook_point e = nook_sub(b, a), normal = nook_cross(d, e), point;
+    float s = clamp(nook_dot(nook_cross(a, e), normal) / nook_dot(normal, normal));
+    point = on_segment(a, b, nook_scaled(d, s));
+    s = clamp(nook_dot(point, d) / nook_dot(d, d));
     consider(n, point, nook_scaled(d, s), s);
 }
 
-/* Where the segment goes through the triangle, if it does, exactly; where on it, by floats. */
-static bool goes_through(const nook_closest *q, const nook_point *const p[3]) {
-    const nook_point *const segment[3] = {&q->a, &q->b, &q->b};
-    return nook_triangles_meet(segment, p);
-}
-
-static void consider_crossing(nearest *n, nook_point d, const nook_point p[3]) {
-    nook_point normal = nook_cross(nook_sub(p[1], p[0]), nook_sub(p[2], p[0]));
-    float at = clamp(nook_dot(p[0], normal) / nook_dot(d, normal));
-    n->point = nook_scaled(d, at);
-    n->at = at;
-    n->square = 0;
-    n->crosses = true;
-}
-
+/* The segment's end, where it comes through the plane, and each edge. Whether it comes through the triangle is exact. */
 static void consider_segment(const nook_closest *q, nearest *n, const nook_point *const at[3],
                              const nook_point p[3]) {
+    const nook_point *const segment[3] = {&q->a, &q->b, &q->b};
     nook_point d = nook_scaled(nook_sub(q->b, q->a), q->scale);
-    if (goes_through(q, at)) {
-        consider_crossing(n, d, p);
-        return;
-    }
+    nook_point normal = nook_cross(nook_sub(p[1], p[0]), nook_sub(p[2], p[0]));
+    float s = clamp(nook_dot(p[0], normal) / nook_dot(d, normal));
     consider_triangle(n, p, d, 1);
+    consider_triangle(n, p, nook_scaled(d, s), s);
     consider_edge(n, d, p[0], p[1]);
     consider_edge(n, d, p[1], p[2]);
     consider_edge(n, d, p[2], p[0]);
+    if (nook_triangles_meet(segment, at)) {
+        n->square = 0;
+        n->crosses = true;
+    }
 }
 
 /* ---- finding -------------------------------------------------------------------------------------- */
 
-/* What rounding may be off: of a distance, and of the points of a triangle that lies at that distance. */
-static float margin_of(float distance, const nook_point p[3]) {
-    float most = distance;
-    uint32_t i;
-    for (i = 0; i < 3u; i++) {
-        float far = nook_length(p[i]);
-        most = far > most ? far : most;
-    }
-    return most * 0x1p-20f;
-}
-
-static void found(nook_closest *q, uint32_t t, const nearest *n, const nook_point p[3]) {
-    float distance, margin;
+static void found(nook_closest *q, uint32_t t, const nearest *n) {
+    float far = nook_sqrt(n->square) + q->margin;
     if (n->square > q->square || (n->square == q->square && t > q->triangle)) return;
-    distance = nook_sqrt(n->square);
-    margin = n->crosses ? 0 : margin_of(distance, p);
     q->triangle = t;
     q->square = n->square;
-    q->margin = margin;
-    q->reach = (distance + margin) * (distance + margin);
+    q->reach = far * far;
+    q->crosses = n->crosses;
     q->at = n->at;
     q->point = along(q->a, n->point, 1.0f / q->scale);
 }
@@ -160,7 +136,7 @@ static bool look_at(nook_closest *q, uint32_t t) {
     for (i = 0; i < 3u; i++) p[i] = nook_scaled(nook_sub(*at[i], q->a), q->scale);
     consider_triangle(&n, p, nook_make(0, 0, 0), 0);
     if (q->is_segment) consider_segment(q, &n, at, p);
-    found(q, t, &n, p);
+    found(q, t, &n);
     return true;
 }
 
@@ -175,36 +151,35 @@ static bool visit_leaf(nook_closest *q) {
 
 /* ---- asking --------------------------------------------------------------------------------------- */
 
+/* Everything that is added up is about as long as the mesh, as the way to it, or as the segment. */
 static void set_scale(nook_closest *q) {
-    nook_point far = nook_sub(q->a, q->bvh->origin), d = nook_sub(q->b, q->a);
-    float size = nook_bvh_size(q->bvh), length = nook_length(far);
-    size = length > size ? length : size;
-    length = nook_length(d);
+    float size = nook_bvh_size(q->bvh), far = nook_length(nook_sub(q->a, q->bvh->origin));
+    float length = nook_length(nook_sub(q->b, q->a));
+    size = far > size ? far : size;
     size = length > size ? length : size;
     q->scale = nook_power_of_two(254u - nook_exponent(size));
+    q->margin = size * q->scale * 0x1p-20f;
 }
 
 /* Before anything: a corner of some triangle is not nearer than the nearest. */
 static void begin_anywhere(nook_closest *q) {
     uint32_t t = nook_triangle_at(q->bvh, 0);
     const nook_point *at[3];
-    nook_point p[3];
     nearest n = {{0, 0, 0}, 0, 0, false};
     if (!nook_points_of(q->bvh, t, at)) return;
-    n.point = p[0] = p[1] = p[2] = nook_scaled(nook_sub(*at[0], q->a), q->scale);
+    n.point = nook_scaled(nook_sub(*at[0], q->a), q->scale);
     n.square = nook_dot(n.point, n.point);
-    q->most = nook_length(n.point);
-    q->most += margin_of(q->most, p);
-    found(q, t, &n, p);
+    q->most = nook_sqrt(n.square) + q->margin;
+    found(q, t, &n);
 }
 
 static nook_status conclude(nook_closest *q, nook_status status) {
     float pending = nook_sqrt(nook_descent_least(&q->descent, 0x1p127f)) * (1.0f - 0x1p-20f);
-    float distance = nook_sqrt(q->square), known = distance - q->margin, length = 1.0f / q->scale;
+    float distance = nook_sqrt(q->square), length = 1.0f / q->scale;
+    float margin = q->crosses ? 0 : q->margin, known = distance > margin ? distance - margin : 0;
     bool any = q->triangle != NOOK_NONE;
     q->distance = any ? distance * length : q->limit;
-    q->distance_max = (any ? distance + q->margin : q->most) * length;
-    if (known < 0) known = 0;
+    q->distance_max = (any ? distance + margin : q->most) * length;
     q->distance_min = (pending < known ? pending : known) * length;
     return status;
 }
@@ -228,7 +203,7 @@ nook_status nook_closest_begin(nook_closest *q, const nook_bvh *bvh, nook_point 
     for (axis = 0; axis < 3u; axis++) set_axis(q, axis);
     q->limit = limit < 0x1p33f ? limit : 0x1p33f; /* nothing is farther */
     q->square = q->limit * q->scale * (q->limit * q->scale);
-    q->reach = q->square * (1.0f + 0x1p-18f);
+    q->reach = (q->limit * q->scale + q->margin) * (q->limit * q->scale + q->margin);
     nook_descent_begin(&q->descent, bvh->view.nt);
     begin_anywhere(q);
     return conclude(q, NOOK_OK);
@@ -237,7 +212,7 @@ nook_status nook_closest_begin(nook_closest *q, const nook_bvh *bvh, nook_point 
 nook_status nook_closest_step(nook_closest *q, uint32_t *units) {
     nook_descent *d = &q->descent;
     while (nook_descent_next(d, q->bvh->view.nt, nook_entry(q->reach, 3))) {
-        if (q->distance_max <= q->enough) break;
+        if (q->enough > 0 && q->distance_max <= q->enough) break;
         if (*units == 0) return conclude(q, NOOK_MORE);
         --*units;
         if (d->level != 0) {

@@ -6,7 +6,8 @@
  *     distance_min >  radius   the body is clear of the surface
  *     distance_max <= radius   they touch
  * and what is asked within a budget is answered as far as that goes. When all is known the two differ by no more than
- * the rounding of a few operations (some 1e-6 of the distance and of the nearest triangle's size). */
+ * the rounding of a few operations: 2e-6 of the longest of the mesh, the way to it, and the segment; and not at all where a segment goes
+ * through the surface, which is told exactly. */
 #ifndef NOOK_CLOSEST_H
 #define NOOK_CLOSEST_H
 
@@ -23,7 +24,7 @@ typedef struct nook_closest {
 
     const nook_bvh *bvh;
     nook_point a, b;
-    bool is_segment;
+    bool is_segment, crosses;
     float limit, enough;
     float scale;          /* a power of two that brings lengths near 1, so that squares stay in range */
     float square, margin; /* of the distance, scaled; what it may be off */
@@ -39,7 +40,7 @@ typedef struct nook_closest {
  *   limit   what lies farther is of no interest; NOOK_FAR for none
  *   enough  stop as soon as something is found that is no farther than this; 0 for the nearest
  *   NOOK_NULL_ARGUMENT, NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE
- * Equally near triangles (in floats): the one of the lowest number, if enough is 0. */
+ * Of triangles whose squared distances are the same float, the one of the lowest number, if enough is 0. */
 nook_status nook_closest_begin(nook_closest *closest, const nook_bvh *bvh, nook_point a, nook_point b,
                                float limit, float enough);
 /* As nook_ray_step. Steps: 1 a group, 4 a leaf; at most all: 1.34 nt + 10. */

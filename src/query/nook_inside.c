@@ -154,6 +154,14 @@ nook_status nook_side_of(const nook_bvh *bvh, nook_point point, int *side) {
     return status;
 }
 
+nook_status nook_signed_distance(nook_closest *closest, const nook_bvh *bvh, nook_point point) {
+    int side = 0;
+    nook_status status = nook_closest_point(closest, bvh, point);
+    if (status == NOOK_OK) status = nook_side_of(bvh, point, &side);
+    closest->distance = side < 0 ? -closest->distance : side == 0 ? 0 : closest->distance;
+    return status;
+}
+
 /* ---- winding number ------------------------------------------------------------------------------- */
 
 nook_status nook_winding_begin(nook_winding *w, const nook_view *view, nook_point point) {

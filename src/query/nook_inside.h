@@ -9,7 +9,7 @@
 #ifndef NOOK_INSIDE_H
 #define NOOK_INSIDE_H
 
-#include "query/nook_descent.h"
+#include "query/nook_closest.h"
 
 typedef struct nook_inside {
     /* The answer, valid when step has said NOOK_OK. */
@@ -38,6 +38,10 @@ static inline int nook_inside_side(const nook_inside *inside) {
 
 /* +1, 0, -1 in *side, without a budget. */
 nook_status nook_side_of(const nook_bvh *bvh, nook_point point, int *side);
+
+/* The distance of a point, negative inside, in closest->distance with all else of nook_closest_point. For meshes whose edges all
+ * have an even number of triangles; the sign is exact. */
+nook_status nook_signed_distance(nook_closest *closest, const nook_bvh *bvh, nook_point point);
 
 typedef struct nook_winding {
     float number; /* out */
