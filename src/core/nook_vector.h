@@ -28,6 +28,9 @@ static inline uint32_t nook_exponent(float x) {
     return biased < 1u ? 1u : biased > 253u ? 253u : biased;
 }
 
+/* The axis, or corner of three, after another. */
+static inline uint32_t nook_after(uint32_t i) { return i == 2u ? 0 : i + 1u; }
+
 static inline nook_point nook_make(float x, float y, float z) {
     nook_point p = {x, y, z};
     return p;

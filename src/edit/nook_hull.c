@@ -12,36 +12,13 @@
 
 #include "edit/nook_inner.h"
 
-enum {
-    LOOK,
-    EMPTY,
-    CHOOSE,
-    SPREAD,
-    SCAN,
-    FIND,
-    FARTHEST,
-    EXAMINE,
-    JUDGE,
-    BUILD,
-    SHARE,
-    FILL,
-    EMPTY_AGAIN,
-    USE,
-    MOVE,
-    RENAME,
-    NAME,
-    DONE
-};
+enum { LOOK, EMPTY, CHOOSE, SPREAD, BUILD, SHARE, SCAN, FIND, FARTHEST, EXAMINE, JUDGE, FILL };
+enum { EMPTY_AGAIN = FILL + 1, USE, MOVE, RENAME, NAME, DONE }; /* passes that make a mesh of it */
 
 enum { LOOKS = 16 }; /* along a list, in a step */
 
 static bool is_on_hull(const nook_hull_state *h, uint32_t v) { return nook_bit(h->marks.Mv, v); }
 static bool is_gone(const nook_hull_state *h, uint32_t t) { return nook_bit(h->marks.Mt, t); }
-
-static void go_to(nook_hull_state *h, uint32_t phase) {
-    h->phase = phase;
-    h->at = 0;
-}
 
 /* Whether q is strictly outside triangle t with a as its first vertex. */
 static int side_of(const nook_hull_state *h, uint32_t a, uint32_t t, uint32_t q) {
@@ -57,88 +34,55 @@ static void put_on_list(const nook_hull_state *h, uint32_t q, uint32_t t) {
 static void set_rim(nook_hull_state *h, uint32_t a, uint32_t o, uint32_t b) {
     h->mesh->C[a] = nook_store(o);
     h->mesh->O[o] = nook_store(b);
-    h->rim = a;
+    h->rim = h->a = a;
 }
 
 /* ---- the first four -------------------------------------------------------------------------------- */
 
-static nook_status look(nook_hull_state *h) {
-    nook_status status;
-    if (h->at == h->nv) {
-        h->mesh->nt = 0;
-        go_to(h, EMPTY);
-        return NOOK_OK;
-    }
-    status = nook_point_status(h->mesh->G[h->at]);
-    if (status != NOOK_OK) h->where = nook_at(NOOK_AT_VERTEX, h->at);
-    h->at += status == NOOK_OK;
-    return status;
-}
-
-static nook_point from_first(const nook_hull_state *h, uint32_t v) {
-    return nook_sub(h->mesh->G[v], h->mesh->G[h->four[0]]);
-}
-
-/* How far v is from those found: a point, a line, a plane. */
-static float distance(const nook_hull_state *h, uint32_t v) {
-    nook_point d = from_first(h, v);
-    if (h->found == 3u) {
-        float along = nook_dot(d, h->normal);
-        return along < 0 ? -along : along;
-    }
-    if (h->found == 2u) d = nook_cross(d, h->normal);
-    return nook_dot(d, d);
-}
-
+/* Whether v is not the point, or on the line or in the plane of those found. */
 static bool is_apart(const nook_hull_state *h, uint32_t v) {
     const nook_point *G = h->mesh->G, *a = &G[h->four[0]], *b = &G[h->four[1]], *p = &G[v];
     uint32_t axis;
-    if (h->found == 3u) return nook_orient3d(a, b, &G[h->four[2]], p) != 0;
-    if (h->found == 2u) return nook_facing(a, b, p, &axis) != 0;
-    return p->x != a->x || p->y != a->y || p->z != a->z;
+    switch (h->found) {
+    case 0: return true;
+    case 1: return p->x != a->x || p->y != a->y || p->z != a->z;
+    case 2: return nook_facing(a, b, p, &axis) != 0;
+    default: return nook_orient3d(a, b, &G[h->four[2]], p) != 0;
+    }
 }
 
 /* A triangle that does not see the fourth point, and that point to be joined to its rim. */
 static void begin_hull(nook_hull_state *h) {
     nook_mesh *m = h->mesh;
-    uint32_t i, b = h->four[1];
-    nook_set_triangle(m, 0, h->four[0], b, h->four[2]);
-    if (side_of(h, h->four[0], 0, h->four[3]) > 0) nook_set_triangle(m, 0, h->four[0], h->four[2], b);
-    for (i = 0; i < 4u; i++) nook_set_bit(h->marks.Mv, h->four[i]);
+    const uint32_t *v = h->four;
+    uint32_t i;
+    nook_set_triangle(m, 0, v[0], v[1], v[2]);
+    if (side_of(h, v[0], 0, v[3]) > 0) nook_set_triangle(m, 0, v[0], v[2], v[1]);
+    for (i = 0; i < 4u; i++) nook_set_bit(h->marks.Mv, v[i]);
     for (i = 0; i < 3u; i++) set_rim(h, m->V[nook_prev(i)], i, m->V[nook_next(i)]);
     nook_clear_bit(h->marks.Mt, 0);
     m->nt = 1;
-    h->p = h->waiting = h->four[3];
-    go_to(h, SPREAD);
+    h->p = h->waiting = v[3];
+    h->at = 0;
+    h->phase = SPREAD;
 }
 
-/* The first point only begins the search: the next two are the ends of something long. */
+/* The first points that will do: what comes before them is in their plane. */
 static nook_status choose(nook_hull_state *h) {
-    if (h->at < h->nv) {
-        float d = distance(h, h->at);
-        if (d > h->most && is_apart(h, h->at)) h->most = d, h->t = h->at;
-        h->at++;
-        return NOOK_OK;
+    if (h->at == h->nv) {
+        h->mesh->nt = 0;
+        return NOOK_FLAT_SHELL;
     }
-    if (h->most < 0) return NOOK_FLAT_SHELL;
-    h->four[h->found++] = h->t;
-    h->at = 0;
-    h->most = -1.0f;
-    if (h->found == 2u) h->normal = from_first(h, h->t);
-    if (h->found == 3u) h->normal = nook_cross(h->normal, from_first(h, h->t));
+    if (is_apart(h, h->at)) h->four[h->found++] = h->at;
+    h->at++;
     if (h->found == 4u) begin_hull(h);
     return NOOK_OK;
 }
 
 /* Points outside the first triangle go to its list, all others wait for the faces of the fourth point. */
-static void spread(nook_hull_state *h) {
-    uint32_t v = h->at++;
-    if (v == h->nv) {
-        h->phase = BUILD;
-        h->at = h->rim;
-    } else if (is_on_hull(h, v)) {
-        return;
-    } else if (side_of(h, h->four[0], 0, v) > 0) {
+static void spread(nook_hull_state *h, uint32_t v) {
+    if (is_on_hull(h, v)) return;
+    if (side_of(h, h->four[0], 0, v) > 0) {
         put_on_list(h, v, 0);
     } else {
         h->mesh->C[v] = nook_store(h->waiting);
@@ -168,18 +112,13 @@ static bool follow_list(nook_hull_state *h) {
 /* Round and round, until no face has a list. */
 static void scan(nook_hull_state *h) {
     uint32_t i;
-    for (i = 0; i < LOOKS; i++) {
-        uint32_t t = h->scan;
-        if (h->quiet == h->mesh->nt) {
-            go_to(h, FILL);
-            return;
-        }
-        h->scan = t + 1u == h->mesh->nt ? 0 : t + 1u;
-        h->quiet++;
-        if (!is_on_hull(h, h->mesh->V[3u * t])) {
+    for (i = 0; i < LOOKS && h->phase == SCAN; i++) {
+        h->scan = h->scan + 1u < h->mesh->nt ? h->scan + 1u : 0;
+        if (!is_on_hull(h, h->mesh->V[3u * h->scan])) {
             h->quiet = 0;
-            begin_list(h, t, FIND);
-            return;
+            begin_list(h, h->scan, FIND);
+        } else if (++h->quiet == h->mesh->nt) {
+            h->phase = FILL;
         }
     }
 }
@@ -253,7 +192,6 @@ static void examine_next(nook_hull_state *h) {
         h->mesh->O[h->tail] = nook_store(h->spare);
         h->spare = h->first;
         h->phase = BUILD;
-        h->at = h->rim;
     }
 }
 
@@ -297,7 +235,7 @@ static uint32_t take_number(nook_hull_state *h) {
 /* The face p a b on edge a b of the rim; it is joined to the one before, the last to the first too. */
 static void build(nook_hull_state *h) {
     nook_mesh *m = h->mesh;
-    uint32_t a = h->at, o = m->C[a], b = m->O[o], t = take_number(h);
+    uint32_t a = h->a, o = m->C[a], b = m->O[o], t = take_number(h);
     nook_set_triangle(m, t, h->p, a, b);
     nook_join(m, 3u * t, o);
     if (a == h->rim) {
@@ -306,7 +244,7 @@ static void build(nook_hull_state *h) {
         nook_join(m, 3u * t + 2u, 3u * h->latest + 1u);
     }
     h->latest = t;
-    h->at = b;
+    h->a = b;
     if (b != h->rim) return;
     nook_join(m, 3u * t + 1u, 3u * h->first + 2u);
     h->t = t;
@@ -336,8 +274,8 @@ static void share(nook_hull_state *h) {
 static void fill(nook_hull_state *h) {
     nook_mesh *m = h->mesh;
     if (h->spares == 0) {
-        m->nv = 0;
-        go_to(h, EMPTY_AGAIN);
+        m->nv = h->at = 0;
+        h->phase++;
     } else if (is_gone(h, m->nt - 1u)) {
         m->nt--;
         h->spares--;
@@ -363,39 +301,45 @@ static void move(const nook_hull_state *h, uint32_t v) {
     if (edit != NULL && edit->renamed != NULL) edit->renamed(edit->user, NOOK_AT_VERTEX, v, to);
 }
 
-static void tidy_vertex(const nook_hull_state *h, uint32_t v) {
-    if (h->phase == MOVE) {
-        move(h, v);
-    } else {
-        h->mesh->C[v] = NOOK_STORED_NONE;
-        nook_clear_bit(h->marks.Mv, v);
-    }
+static nook_status look(nook_hull_state *h, uint32_t v) {
+    nook_status status = nook_point_status(h->mesh->G[v]);
+    if (status != NOOK_OK) h->where = nook_at(NOOK_AT_VERTEX, v);
+    return status;
 }
 
-static void tidy_triangle(const nook_hull_state *h, uint32_t t) {
+static void visit(nook_hull_state *h, uint32_t i) {
     nook_mesh *m = h->mesh;
     uint32_t c;
-    for (c = 3u * t; c < 3u * t + 3u; c++) {
-        if (h->phase == RENAME) {
-            m->V[c] = m->C[m->V[c]];
-        } else {
-            m->C[m->V[c]] = nook_store(c);
-        }
+    switch (h->phase) {
+    case SPREAD: spread(h, i); return;
+    case MOVE: move(h, i); return;
+    case RENAME:
+        for (c = 3u * i; c < 3u * i + 3u; c++) m->V[c] = m->C[m->V[c]];
+        return;
+    case NAME: nook_new_triangle(i, h->edit); /* fall through */
+    case USE:
+        for (c = 3u * i; c < 3u * i + 3u; c++) m->C[m->V[c]] = nook_store(c);
+        return;
+    default: m->C[i] = NOOK_STORED_NONE; nook_clear_bit(h->marks.Mv, i);
     }
-    if (h->phase == NAME) nook_new_triangle(t, h->edit);
 }
 
 /* A pass over all vertices, or over all triangles. */
-static void tidy(nook_hull_state *h) {
-    bool of_vertices = h->phase == EMPTY || h->phase == EMPTY_AGAIN || h->phase == MOVE;
-    uint32_t i = h->at++;
-    if (i == (of_vertices ? h->nv : h->mesh->nt)) {
-        go_to(h, h->phase + 1u);
-    } else if (of_vertices) {
-        tidy_vertex(h, i);
-    } else {
-        tidy_triangle(h, i);
+static nook_status pass(nook_hull_state *h) {
+    bool of_triangles = h->phase == USE || h->phase == RENAME || h->phase == NAME;
+    nook_status status = NOOK_OK;
+    if (h->at == (of_triangles ? h->mesh->nt : h->nv)) {
+        h->at = 0;
+        h->phase++;
+        return NOOK_OK;
     }
+    if (h->phase == LOOK) {
+        status = look(h, h->at);
+    } else {
+        visit(h, h->at);
+    }
+    h->at += status == NOOK_OK;
+    return status;
 }
 
 /* ---- all ------------------------------------------------------------------------------------------- */
@@ -408,7 +352,7 @@ nook_status nook_hull_begin(nook_hull_state *h, nook_mesh *mesh, const nook_mark
     h->edit = edit;
     h->marks = *marks;
     h->nv = mesh->nv;
-    h->most = -1.0f;
+    h->scan = NOOK_NONE; /* the first to come is 0 */
     if (marks->max_nv < mesh->nv) return NOOK_NO_CAPACITY;
     return 2u * mesh->nv > mesh->max_nt + 4u || 2u * mesh->nv > marks->max_nt + 4u ? NOOK_NO_CAPACITY
                                                                                    : NOOK_OK;
@@ -416,9 +360,9 @@ nook_status nook_hull_begin(nook_hull_state *h, nook_mesh *mesh, const nook_mark
 
 static nook_status advance(nook_hull_state *h) {
     switch (h->phase) {
-    case LOOK: return look(h);
     case CHOOSE: return choose(h);
-    case SPREAD: spread(h); break;
+    case BUILD: build(h); break;
+    case SHARE: share(h); break;
     case SCAN: scan(h); break;
     case FIND:
         if (follow_list(h)) begin_farthest(h);
@@ -428,10 +372,8 @@ static nook_status advance(nook_hull_state *h) {
     case JUDGE:
         if (follow_list(h)) judge(h);
         break;
-    case BUILD: build(h); break;
-    case SHARE: share(h); break;
     case FILL: fill(h); break;
-    default: tidy(h); break;
+    default: return pass(h);
     }
     return NOOK_OK;
 }

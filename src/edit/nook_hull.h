@@ -30,16 +30,16 @@ typedef struct nook_hull_state {
     uint32_t nv;      /* how many points were given */
     uint32_t phase, at;
     uint32_t four[4], found; /* the first four vertices */
-    nook_point normal;       /* of the face, or across the points found, that the farthest is sought from; */
-    float most;              /* and how far that is */
+    nook_point normal;       /* of the face of which the farthest is sought, */
+    float most;              /* and how high above it that is */
     uint32_t p, waiting;     /* the point that is added; the points of faces that are gone, p at their end */
     uint32_t t, apex, last;  /* a face that is looked at; its first vertex, and the last point of its list */
-    uint32_t c, x,
-        tail; /* the queue of faces that are gone: the one whose neighbours are looked at, the neighbour, the end */
-    uint32_t rim;           /* a vertex of the rim */
-    uint32_t first, latest; /* new faces */
-    uint32_t spare, spares; /* numbers of faces that are gone, and how many */
-    uint32_t scan, quiet;   /* the next face to look at for a list; how many had none, one after the other */
+    uint32_t c, tail;        /* the queue of faces that are gone: whose neighbours are looked at; its end */
+    uint32_t x;              /* the corner across from which one of them is */
+    uint32_t rim, a;         /* where the rim begins, and the vertex that is joined next */
+    uint32_t first, latest;  /* new faces */
+    uint32_t spare, spares;  /* numbers of faces that are gone, and how many */
+    uint32_t scan, quiet;    /* the face last looked at for a list; how many in a row had none */
 } nook_hull_state;
 
 /* Make mesh the convex hull of its points. Of the mesh only nv and G[nv] are read; V, O, C and nt are made anew, triangles
@@ -55,10 +55,9 @@ typedef struct nook_hull_state {
  *                       plane. The mesh is then without triangles: G and nv as they were, nt is 0 and C says so
  * G must hold still; given up, the mesh keeps its points and nothing else.
  * Steps: about 20 nv + 60 h if h of them are vertices; but a flat face of w vertices is made anew with each, which takes
- * 3 w^2. Never more than nv^3 / 6 + 8 nv^2 + 40 nv + 40: each point is added once; when m are vertices they have 2 m - 4 faces,
+ * 3 w^2. Never more than nv^3 / 6 + 8 nv^2 + 30 nv + 30: each point is added once; when m are vertices they have 2 m - 4 faces,
  * which it may take away, and there are nv - m more, which may have to be held against m new faces. A step is one
- * nook_orient3d() or nook_facing(), or 16 looks along a list.
- */
+ * nook_orient3d() or nook_facing(), or 16 looks along a list. */
 nook_status nook_hull_begin(nook_hull_state *state, nook_mesh *mesh, const nook_marks *marks,
                             const nook_edit *edit);
 nook_status nook_hull_step(nook_hull_state *state, uint32_t *units);

@@ -3,8 +3,6 @@
 
 static const uint32_t one = 0x3F800000u; /* the float 1 as bits */
 
-/* The two axes that follow an axis. */
-static uint32_t first_after(uint32_t axis) { return axis == 2u ? 0 : axis + 1u; }
 static uint32_t second_after(uint32_t axis) { return axis == 0 ? 2u : axis - 1u; }
 
 /* A point is three floats without gaps. */
@@ -63,7 +61,7 @@ NOOK_APART static int normals_by_floats(const nook_point *const *p, const nook_p
 
 #if NOOK_HAS_FPU
 static inline int cross_by_floats(nook_point b, nook_point c, uint32_t axis) {
-    uint32_t u = first_after(axis), v = second_after(axis);
+    uint32_t u = nook_after(axis), v = second_after(axis);
     float left = (&b.x)[u] * (&c.x)[v], right = (&c.x)[u] * (&b.x)[v];
     return nook_decided(left - right, 4 * 0x1p-24f, nook_abs(left) + nook_abs(right), 0);
 }
@@ -120,7 +118,7 @@ static int sign_of_determinant(int32_t n[3][3]) {
     uint64_t high = 0, low = 0;
     uint32_t i;
     for (i = 0; i < 3u; i++) {
-        uint32_t j = first_after(i), k = second_after(i);
+        uint32_t j = nook_after(i), k = second_after(i);
         int32_t x = n[0][i];
         int64_t minor = multiply_signed(n[1][j], n[2][k]) - multiply_signed(n[1][k], n[2][j]);
         uint64_t part = multiply_add((uint32_t)minor, (uint32_t)x, 0);
@@ -142,7 +140,7 @@ NOOK_APART static int orient3d_by_integers(const nook_point *const *p, uint32_t 
 }
 
 NOOK_APART static int orient2d_by_integers(const nook_point *const *p, uint32_t direction, uint32_t axis) {
-    uint32_t u = first_after(axis), v = second_after(axis);
+    uint32_t u = nook_after(axis), v = second_after(axis);
     int32_t x[2], y[2];
     if (!differences(p, 3, direction, u, top_of(p, 3, u), x)) return NOOK_UNDECIDED;
     if (!differences(p, 3, direction, v, top_of(p, 3, v), y)) return NOOK_UNDECIDED;
@@ -261,7 +259,7 @@ NOOK_APART static int orient2d_by_sum(const nook_point *const *p, uint32_t direc
         for (j = 0; j < 3u; j++) {
             product xy;
             if (i == j || 3u - i - j == direction) continue;
-            xy = product_of_rows(p, i, j, first_after(axis), second_after(axis));
+            xy = product_of_rows(p, i, j, nook_after(axis), second_after(axis));
             add_product(sum, SUM_WORDS, &xy, one);
         }
     }
@@ -291,7 +289,7 @@ NOOK_APART static int distances_by_sum(const nook_point *const *p) {
  * bit 1 p1 for p3, bit 2 the second half of the minor. False if it is 0, or of p2 and p3 that are the same. */
 static bool product_of_normal(const nook_point *const *p, uint32_t which, uint32_t axis, product *xy) {
     const nook_point *first = p[2u - 2u * (which & 1u)], *second = p[3u - (which & 2u)];
-    uint32_t u = first_after(axis), v = second_after(axis);
+    uint32_t u = nook_after(axis), v = second_after(axis);
     if (first == second) return false;
     *xy = product_of(bits_of(first, which < 4u ? u : v), bits_of(second, which < 4u ? v : u));
     xy->sign ^= (which ^ which >> 1 ^ which >> 2) << 31;

@@ -15,17 +15,49 @@ static void set_axis(nook_closest *q, uint32_t axis) {
     (&q->width.x)[axis] = q->scale / (&q->bvh->cells.x)[axis];
 }
 
+/* How far the line of the segment is from some boxes, seen along an axis: there it is a line, and a box a rectangle. Its
+ * normal, of length 1, is u, v in the lengths of a cell. Less than 0 if it meets them. */
+static nook_lanes off_line(const nook_closest *q, const nook_boxes *g, uint32_t child, uint32_t axis) {
+    uint32_t i = nook_after(axis), j = nook_after(i);
+    nook_point d = nook_scaled(nook_sub(q->b, q->a), q->scale);
+    float x = (&d.x)[i], y = (&d.x)[j], length = nook_sqrt(x * x + y * y), slack, more, u, v, at;
+    nook_lanes low[2], high[2], centre, half;
+    if (!(length > 0)) return nook_lanes_of(-1.0f); /* a point */
+    u = y / length * (&q->width.x)[i];
+    v = -x / length * (&q->width.x)[j];
+    at = u * nook_in_cells(q->bvh, (&q->a.x)[i], i, &slack) +
+         v * nook_in_cells(q->bvh, (&q->a.x)[j], j, &more);
+    slack = 8.0f * (slack * nook_abs(u) + more * nook_abs(v));
+    low[0] = nook_load(&g->low[i][child]), high[0] = nook_load(&g->high[i][child]) + nook_lanes_of(1.0f);
+    low[1] = nook_load(&g->low[j][child]), high[1] = nook_load(&g->high[j][child]) + nook_lanes_of(1.0f);
+    centre = (low[0] + high[0]) * nook_lanes_of(0.5f * u) + (low[1] + high[1]) * nook_lanes_of(0.5f * v);
+    half = (high[0] - low[0]) * nook_lanes_of(0.5f * nook_abs(u)) +
+           (high[1] - low[1]) * nook_lanes_of(0.5f * nook_abs(v));
+    return nook_magnitude(centre - nook_lanes_of(at)) - half - nook_lanes_of(slack);
+}
+
+/* How far the box of the segment is from some boxes, squared. */
+static inline nook_lanes apart(const nook_closest *q, const nook_boxes *g, uint32_t child) {
+    nook_lanes square = nook_lanes_of(0);
+    uint32_t axis;
+    for (axis = 0; axis < 3u; axis++) {
+        nook_lanes above = nook_load(&g->low[axis][child]) - nook_lanes_of((&q->high.x)[axis]);
+        nook_lanes below = nook_lanes_of((&q->low.x)[axis]) - nook_load(&g->high[axis][child]);
+        nook_lanes off =
+            nook_larger(nook_larger(above, below), nook_lanes_of(0)) * nook_lanes_of((&q->width.x)[axis]);
+        square = square + off * off;
+    }
+    return square;
+}
+
 static inline void visit_group(nook_closest *q) {
     const nook_boxes *group = nook_descent_boxes(&q->descent, q->bvh);
     uint32_t entry[4], axis, i;
     for (i = 0; i < 4u; i += NOOK_LANES) {
-        nook_lanes square = nook_lanes_of(0);
-        for (axis = 0; axis < 3u; axis++) {
-            nook_lanes above = nook_load(&group->low[axis][i]) - nook_lanes_of((&q->high.x)[axis]);
-            nook_lanes below = nook_lanes_of((&q->low.x)[axis]) - nook_load(&group->high[axis][i]);
-            nook_lanes apart = nook_larger(nook_larger(above, below), nook_lanes_of(0));
-            apart = apart * nook_lanes_of((&q->width.x)[axis]);
-            square = square + apart * apart;
+        nook_lanes square = apart(q, group, i);
+        for (axis = 0; axis < 3u && q->is_segment; axis++) {
+            nook_lanes off = nook_larger(off_line(q, group, i, axis), nook_lanes_of(0));
+            square = nook_larger(square, off * off);
         }
         square = square * nook_lanes_of(1.0f - 0x1p-18f);
         nook_set_entries(entry, i, square <= nook_lanes_of(q->reach), square);
@@ -169,7 +201,7 @@ static void begin_anywhere(nook_closest *q) {
     if (!nook_points_of(q->bvh, t, at)) return;
     n.point = nook_scaled(nook_sub(*at[0], q->a), q->scale);
     n.square = nook_dot(n.point, n.point);
-    q->most = nook_sqrt(n.square) + q->margin;
+    q->distance_max = (nook_sqrt(n.square) + q->margin) / q->scale;
     found(q, t, &n);
 }
 
@@ -177,9 +209,8 @@ static nook_status conclude(nook_closest *q, nook_status status) {
     float pending = nook_sqrt(nook_descent_least(&q->descent, 0x1p127f)) * (1.0f - 0x1p-20f);
     float distance = nook_sqrt(q->square), length = 1.0f / q->scale;
     float margin = q->crosses ? 0 : q->margin, known = distance > margin ? distance - margin : 0;
-    bool any = q->triangle != NOOK_NONE;
-    q->distance = any ? distance * length : q->limit;
-    q->distance_max = (any ? distance + margin : q->most) * length;
+    q->distance = distance * length;
+    if (q->triangle != NOOK_NONE) q->distance_max = (distance + margin) * length;
     q->distance_min = (pending < known ? pending : known) * length;
     return status;
 }
@@ -201,9 +232,9 @@ nook_status nook_closest_begin(nook_closest *q, const nook_bvh *bvh, nook_point 
     q->enough = enough;
     set_scale(q);
     for (axis = 0; axis < 3u; axis++) set_axis(q, axis);
-    q->limit = limit < 0x1p33f ? limit : 0x1p33f; /* nothing is farther */
-    q->square = q->limit * q->scale * (q->limit * q->scale);
-    q->reach = (q->limit * q->scale + q->margin) * (q->limit * q->scale + q->margin);
+    limit = (limit < NOOK_FAR ? limit : NOOK_FAR) * q->scale; /* nothing is farther */
+    q->square = limit * limit;
+    q->reach = (limit + q->margin) * (limit + q->margin);
     nook_descent_begin(&q->descent, bvh->view.nt);
     begin_anywhere(q);
     return conclude(q, NOOK_OK);

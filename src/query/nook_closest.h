@@ -18,17 +18,17 @@ typedef struct nook_closest {
     uint32_t triangle; /* the nearest seen, or NOOK_NONE: none within the limit */
     nook_point point;  /* its nearest point */
     float at;          /* and the nearest of the segment: a + at (b - a), 0 <= at <= 1 */
-    float distance;    /* between the two, rounded */
+    float distance;    /* between the two, rounded; the limit while there is no triangle */
     float distance_min,
         distance_max; /* of the mesh from the segment; without a triangle, at least the limit */
 
     const nook_bvh *bvh;
     nook_point a, b;
     bool is_segment, crosses;
-    float limit, enough;
+    float enough;
     float scale;          /* a power of two that brings lengths near 1, so that squares stay in range */
     float square, margin; /* of the distance, scaled; what it may be off */
-    float reach, most;    /* how far to look, squared; a bound before anything is found */
+    float reach;          /* how far to look, squared */
     nook_point low, high; /* the segment's box in cells, widened by what rounding may be off */
     nook_point width;     /* of a cell */
     nook_descent descent;

@@ -13,11 +13,11 @@
 #define NOOK_UP 0xFFFFu /* the entry below those of one group */
 
 typedef struct nook_descent {
-    uint32_t node, level; /* a group, or at level 0 a leaf */
-    uint32_t base;        /* where the groups of its level begin */
-    uint16_t entries;
-    uint16_t now; /* the entry of the node, until it has been looked at; then NOOK_UP */
-    uint16_t entry[4 * NOOK_BVH_LEVELS + 4];
+    uint32_t node;          /* a group, or at level 0 a leaf */
+    uint32_t base;          /* where the groups of its level begin */
+    uint8_t level, entries; /* the latter, not yet looked at */
+    uint16_t now;           /* the entry of the node, until it has been looked at; then NOOK_UP */
+    uint16_t entry[4 * NOOK_BVH_LEVELS + 2];
 } nook_descent;
 
 static inline uint32_t nook_groups_of_level(uint32_t nt, uint32_t level) {
@@ -84,7 +84,7 @@ static inline void nook_descent_push(nook_descent *d, uint32_t entry[4]) {
         d->entry[n] = (uint16_t)entry[i];
         n += entry[i] != NOOK_UP;
     }
-    d->entries = (uint16_t)n;
+    d->entries = (uint8_t)n;
 }
 
 /* Enough has been found. */

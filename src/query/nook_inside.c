@@ -4,8 +4,6 @@
 #include "exact/nook_exact.h"
 #include "query/nook_lanes.h"
 
-static uint32_t after(uint32_t i) { return i == 2u ? 0 : i + 1u; }
-
 static float at(const nook_point *p, uint32_t axis) { return (&p->x)[axis]; }
 
 /* ---- boxes ---------------------------------------------------------------------------------------- */
@@ -13,7 +11,7 @@ static float at(const nook_point *p, uint32_t axis) { return (&p->x)[axis]; }
 /* The boxes that may hold a triangle that the line crosses, or the point. */
 static inline void visit_group(nook_inside *q) {
     const nook_boxes *g = nook_descent_boxes(&q->descent, q->bvh);
-    uint32_t entry[4], u = after(q->axis), v = after(u), i;
+    uint32_t entry[4], u = nook_after(q->axis), v = nook_after(u), i;
     int32_t x = (int32_t)q->cell[q->axis], y = (int32_t)q->cell[u], z = (int32_t)q->cell[v];
     for (i = 0; i < 4u; i += NOOK_LANES) {
         nook_flags some = (nook_load_cells(&g->low[u][i]) <= y) & (nook_load_cells(&g->high[u][i]) >= y) &
@@ -46,7 +44,7 @@ static bool is_on(const nook_point *const p[3], const nook_point *x) {
     uint32_t axis, i;
     int turn = nook_facing(p[0], p[1], p[2], &axis);
     for (i = 0; i < 3u; i++) {
-        if (nook_orient2d(p[i], p[after(i)], x, axis) * turn < 0) return false;
+        if (nook_orient2d(p[i], p[nook_after(i)], x, axis) * turn < 0) return false;
     }
     return turn != 0; /* on a triangle without area it is on its neighbours too */
 }
@@ -54,7 +52,7 @@ static bool is_on(const nook_point *const p[3], const nook_point *x) {
 /* On which side of edge a b the point is, seen against the axis, if it stood aside by a trifle in u and by a trifle of that in
  * v: never 0 unless the edge is a point there. */
 static int side_of(const nook_inside *q, const nook_point *a, const nook_point *b) {
-    uint32_t u = after(q->axis), v = after(u);
+    uint32_t u = nook_after(q->axis), v = nook_after(u);
     int sign = nook_orient2d(a, b, &q->point, q->axis);
     if (sign != 0) return sign;
     if (at(a, v) != at(b, v)) return at(a, v) > at(b, v) ? 1 : -1;
@@ -69,7 +67,7 @@ static int turn_of(const nook_inside *q, const nook_point *const p[3]) {
 }
 
 static void look_at(nook_inside *q, uint32_t t, const nook_point *const p[3]) {
-    uint32_t u = after(q->axis), v = after(u);
+    uint32_t u = nook_after(q->axis), v = nook_after(u);
     range x = range_of(p, q->axis);
     float height = at(&q->point, q->axis);
     bool level = holds(x, height), ahead;
@@ -157,7 +155,8 @@ nook_status nook_side_of(const nook_bvh *bvh, nook_point point, int *side) {
 nook_status nook_signed_distance(nook_closest *closest, const nook_bvh *bvh, nook_point point) {
     int side = 0;
     nook_status status = nook_closest_point(closest, bvh, point);
-    if (status == NOOK_OK) status = nook_side_of(bvh, point, &side);
+    if (status != NOOK_OK) return status;
+    status = nook_side_of(bvh, point, &side);
     closest->distance = side < 0 ? -closest->distance : side == 0 ? 0 : closest->distance;
     return status;
 }

@@ -3,8 +3,6 @@
 
 typedef const nook_point *const *corners;
 
-static uint32_t after(uint32_t i) { return i == 2u ? 0 : i + 1u; }
-
 /* The sides of a triangle's plane on which three points lie. Those without area have no sides: all 0. */
 typedef struct sides {
     int of[3];
@@ -38,7 +36,7 @@ static bool pierces(const nook_point *p, const nook_point *q, corners a) {
 static bool any_pierces(corners b, const sides *s, corners a) {
     uint32_t i, j;
     for (i = 0; i < 3u; i++) {
-        j = after(i);
+        j = nook_after(i);
         if (s->of[i] * s->of[j] > 0 || (s->of[i] == 0 && s->of[j] == 0)) continue;
         if (pierces(b[i], b[j], a)) return true;
     }
@@ -53,7 +51,7 @@ static bool edge_parts(corners a, corners b, uint32_t axis) {
     int turn = nook_orient2d(a[0], a[1], a[2], axis);
     for (i = 0; i < 3u; i++) {
         int side[3];
-        for (j = 0; j < 3u; j++) side[j] = nook_orient2d(a[i], a[after(i)], b[j], axis);
+        for (j = 0; j < 3u; j++) side[j] = nook_orient2d(a[i], a[nook_after(i)], b[j], axis);
         if (side[0] == 0 || side[0] != side[1] || side[0] != side[2]) continue;
         if (side[0] != turn) return true; /* a segment has two such sides */
     }
@@ -90,7 +88,7 @@ static bool share_plane(corners a, corners b) {
     uint32_t i, j;
     for (i = 0; i < 3u; i++) {
         for (j = 0; j < 3u; j++) {
-            if (nook_orient3d(a[i], a[after(i)], b[j], b[after(j)]) != 0) return false;
+            if (nook_orient3d(a[i], a[nook_after(i)], b[j], b[nook_after(j)]) != 0) return false;
         }
     }
     return true;

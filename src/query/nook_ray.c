@@ -6,13 +6,14 @@
 
 /* ---- boxes ---------------------------------------------------------------------------------------- */
 
-static uint32_t nook_after(uint32_t i) { return i == 2u ? 0 : i + 1u; }
+/* The direction, its largest component between 1 and 2; and t along it is t / unit. */
+static inline nook_point toward(const nook_ray *r) { return nook_scaled(r->direction, r->unit); }
 
 /* Along one axis the ray is at cell c at t = (c - origin) inverse; near and far are that origin moved by as much as
  * rounding may be off, and far by the width of a cell, which its bound leaves out. */
 static void set_axis(nook_ray *r, uint32_t axis) {
     float slack, origin = nook_in_cells(r->bvh, (&r->origin.x)[axis], axis, &slack);
-    float d = (&r->toward.x)[axis], cells = (&r->bvh->cells.x)[axis];
+    float d = (&r->direction.x)[axis] * r->unit, cells = (&r->bvh->cells.x)[axis];
     if (d != 0 && d < 0x1p-60f && d > -0x1p-60f) { /* so slow that its cells could underflow: never refused */
         (&r->inverse.x)[axis] = 1.0f;
         (&r->near.x)[axis] = 0x1p126f;
@@ -63,10 +64,10 @@ typedef struct bundle {
     nook_lanes x[3], y[3], z[3];
 } bundle;
 
-static inline nook_lanes passing(const nook_ray *r, const bundle *p, uint32_t i, uint32_t j) {
-    return (p->y[i] * p->z[j] - p->z[i] * p->y[j]) * nook_lanes_of(r->toward.x) +
-           (p->z[i] * p->x[j] - p->x[i] * p->z[j]) * nook_lanes_of(r->toward.y) +
-           (p->x[i] * p->y[j] - p->y[i] * p->x[j]) * nook_lanes_of(r->toward.z);
+static inline nook_lanes passing(nook_point d, const bundle *p, uint32_t i, uint32_t j) {
+    return (p->y[i] * p->z[j] - p->z[i] * p->y[j]) * nook_lanes_of(d.x) +
+           (p->z[i] * p->x[j] - p->x[i] * p->z[j]) * nook_lanes_of(d.y) +
+           (p->x[i] * p->y[j] - p->y[i] * p->x[j]) * nook_lanes_of(d.z);
 }
 
 static inline nook_lanes largest(const bundle *p, uint32_t i) {
@@ -76,8 +77,8 @@ static inline nook_lanes largest(const bundle *p, uint32_t i) {
 
 /* Which of them the line clearly misses: two edges are passed on different sides, by more than rounding can do. That
  * settles most; the exact signs settle the rest. */
-static inline nook_flags misses(const nook_ray *r, const bundle *p) {
-    nook_lanes ab = passing(r, p, 0, 1), bc = passing(r, p, 1, 2), ca = passing(r, p, 2, 0);
+static inline nook_flags misses(nook_point d, const bundle *p) {
+    nook_lanes ab = passing(d, p, 0, 1), bc = passing(d, p, 1, 2), ca = passing(d, p, 2, 0);
     nook_lanes far = nook_larger(nook_larger(largest(p, 0), largest(p, 1)), largest(p, 2));
     nook_lanes margin = far * far * nook_lanes_of(0x1p-17f) + nook_lanes_of(0x1p-120f);
     nook_lanes least = nook_smaller(nook_smaller(ab, bc), ca), most = nook_larger(nook_larger(ab, bc), ca);
@@ -95,7 +96,7 @@ static bool meets(const nook_ray *r, const nook_point *const p[3], sides *s) {
 
 /* t of a point on the ray. */
 static float t_of(const nook_ray *r, const nook_point *p) {
-    return ((&p->x)[r->axis] - (&r->origin.x)[r->axis]) / (&r->toward.x)[r->axis];
+    return ((&p->x)[r->axis] - (&r->origin.x)[r->axis]) / ((&r->direction.x)[r->axis] * r->unit);
 }
 
 /* Twice the area of the triangle as a vector, at the corner that faces its longest edge, which comes first then: the two
@@ -128,7 +129,7 @@ NOOK_APART static float t_exactly(const nook_ray *r, const nook_point *const p[3
 /* Where the line goes through the plane. Where it is so flat to it, or the triangle so thin, that rounding would show: exactly. */
 static float t_through(const nook_ray *r, const nook_point *const p[3]) {
     const nook_point *q[3];
-    nook_point n = area_of(p, q), d = r->toward, a = nook_sub(*q[0], r->origin);
+    nook_point n = area_of(p, q), d = toward(r), a = nook_sub(*q[0], r->origin);
     float speed = nook_dot(d, n), size = nook_abs(d.x * n.x) + nook_abs(d.y * n.y) + nook_abs(d.z * n.z);
     nook_point ab = nook_sub(*q[1], *q[0]), ac = nook_sub(*q[2], *q[0]);
     size += 2.0f * (nook_abs(ab.x * ac.y * d.z) + nook_abs(ab.y * ac.z * d.x) + nook_abs(ab.z * ac.x * d.y));
@@ -176,8 +177,8 @@ static void cross(const nook_ray *r, const flat *f, uint32_t i, span *s) {
     const nook_point *a = f->p[i], *b = f->p[nook_after(i)];
     int sign = nook_orient2d(&r->origin, a, b, f->axis) * nook_turning(a, b, &r->direction, f->axis);
     float x, y, t = t_of(r, a);
-    nook_point n = nook_cross(nook_sub(*a, r->origin), r->toward),
-               m = nook_cross(nook_sub(*b, r->origin), r->toward);
+    nook_point n = nook_cross(nook_sub(*a, r->origin), toward(r)),
+               m = nook_cross(nook_sub(*b, r->origin), toward(r));
     x = (&n.x)[f->axis];
     y = (&m.x)[f->axis];
     if (x != y) t += (t_of(r, b) - t) * (x / (x - y));
@@ -195,7 +196,7 @@ static bool meets_in_plane(const nook_ray *r, const nook_point *const p[3], floa
         int sign = (&p[i]->x)[r->axis] > (&r->origin.x)[r->axis]   ? 1
                    : (&p[i]->x)[r->axis] < (&r->origin.x)[r->axis] ? -1
                                                                    : 0;
-        if ((&r->toward.x)[r->axis] < 0) sign = -sign;
+        if ((&r->direction.x)[r->axis] < 0) sign = -sign;
         if (f.side[i] == 0) take(&s, t_of(r, p[i]), sign);
         if (differ(f.side[i], f.side[nook_after(i)])) cross(r, &f, i, &s);
     }
@@ -207,7 +208,7 @@ static bool meets_in_plane(const nook_ray *r, const nook_point *const p[3], floa
 
 /* How much farther to look than t: whatever is no farther but for rounding is seen too, so that of equals the lowest
  * number wins whichever box it is in. */
-static float beyond(const nook_ray *r, float t) { return t + (t + r->size) * 0x1p-18f; }
+static float beyond(const nook_ray *r, float t) { return t + (t + nook_bvh_size(r->bvh)) * 0x1p-18f; }
 
 static void hit(nook_ray *r, uint32_t t, float at) {
     if (at > r->best || (at == r->best && t > r->triangle)) return;
@@ -263,7 +264,7 @@ static inline bool visit_some(nook_ray *r, uint32_t place) {
             NOOK_SET_LANE(x.z[i], k, p[k][i]->z - r->origin.z);
         }
     }
-    if (NOOK_HAS_FPU) missed = misses(r, &x);
+    if (NOOK_HAS_FPU) missed = misses(toward(r), &x);
     for (k = 0; k < NOOK_LANES && place + k <= last; k++) {
         if (nook_flag(missed, k)) continue;
         if (r->kind == NOOK_CROSSINGS) {
@@ -299,7 +300,6 @@ static void set_direction(nook_ray *r) {
     r->axis = x >= y ? 0 : 1u;
     if (z > most) most = z, r->axis = 2;
     r->unit = nook_power_of_two(254u - nook_exponent(most));
-    r->toward = nook_scaled(d, r->unit);
 }
 
 nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, nook_point direction,
@@ -318,7 +318,6 @@ nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, 
     r->direction = direction;
     set_direction(r);
     for (axis = 0; axis < 3u; axis++) set_axis(r, axis);
-    r->size = nook_bvh_size(bvh);
     r->t = t_max;
     r->best = t_max / r->unit;
     r->reach = beyond(r, r->best);
@@ -327,7 +326,7 @@ nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, 
 }
 
 static void describe(nook_ray *r) {
-    nook_point corners[3], at = nook_scaled(r->toward, r->best);
+    nook_point corners[3], at = nook_scaled(toward(r), r->best);
     const nook_point *p[3];
     float sum = 0;
     uint32_t i;

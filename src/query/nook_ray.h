@@ -36,8 +36,7 @@ typedef struct nook_ray {
     nook_ray_kind kind;
     uint32_t axis; /* of the largest component */
     nook_point origin, direction;
-    nook_point toward;             /* direction, its largest component between 1 and 2 */
-    float unit, size;              /* of t along toward; of the mesh */
+    float unit;                    /* times which the largest component is between 1 and 2 */
     float best, reach;             /* the first hit along toward, and how far to look */
     nook_point inverse, near, far; /* in cells of the grid */
     nook_descent descent;

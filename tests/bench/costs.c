@@ -1,6 +1,7 @@
 /* costs.c -- what the library costs on an emulated core that counts instructions, line by line for the table
  * that tests/tools/costs.py keeps: weld, link, survey and check a triangle and at most a unit, over a torus, sound and
- * with defects of every kind; each exact sign, by the stage that decides it; walks, and edits of a mesh of valence 6.
+ * with defects of every kind; each exact sign, by the stage that decides it; walks, and edits of a mesh of valence 6;
+ * queries on a link of 300 triangles.
  *
  * The emulator counts 64 ns for every instruction; TICK is a tick of the port in tenths of a nanosecond. */
 #include "check.h"
@@ -13,7 +14,13 @@ enum { SIDE = 6, MORE = 20 };
 enum { SIDE = 24, MORE = 40 };
 #endif
 enum { T = 2 * SIDE * SIDE, MAX_T = T + MORE, MAX_V = 3 * MAX_T, MAX_SHELLS = 4 };
-static NOOK_MESH_ARRAYS(MAX_V, MAX_T) arrays;
+enum { SECTORS = 10, RINGS = 15, LINK_V = SECTORS * RINGS + 2, LINK_T = 2 * SECTORS * RINGS };
+static union {
+    NOOK_MESH_ARRAYS(MAX_V, MAX_T) torus;
+    NOOK_MESH_ARRAYS(LINK_V, LINK_T) link;
+} memory;
+#define arrays memory.torus
+static NOOK_BVH_ARRAYS(LINK_T) tree;
 static nook_index map[MAX_V], component[MAX_T], stamp[MAX_V];
 static nook_shell shell[MAX_SHELLS];
 static uint8_t Mt[NOOK_MT_BYTES(MAX_T)], Mv[NOOK_MV_BYTES(MAX_V)];
@@ -260,6 +267,120 @@ static void survey_only(void) {
     print_cost("survey", "", spent() / mesh.nt);
 }
 
+/* ---- queries ----------------------------------------------------------------------------------------- */
+
+static void add(uint32_t a, uint32_t b, uint32_t c) {
+    nook_index *V = &mesh.V[3u * mesh.nt++];
+    V[0] = (nook_index)a, V[1] = (nook_index)b, V[2] = (nook_index)c;
+}
+
+/* The size of a robot's link, 300 triangles, in metres: a lathe with steps and a groove. */
+static void robot_link(void) {
+    static const float turn[SECTORS][2] = {
+        {1, 0},  {0.809f, 0.588f},   {0.309f, 0.951f},   {-0.309f, 0.951f}, {-0.809f, 0.588f},
+        {-1, 0}, {-0.809f, -0.588f}, {-0.309f, -0.951f}, {0.309f, -0.951f}, {0.809f, -0.588f}};
+    static const uint8_t radius[RINGS] = {40, 60, 61, 62, 62, 50, 49, 49, 50, 58, 59, 59, 47, 45, 30};
+    uint32_t ring, k, last = LINK_V - 1;
+    nook_mesh_init(&mesh, memory.link.G, memory.link.V, memory.link.O, memory.link.C, LINK_V, LINK_T);
+    mesh.nv = LINK_V;
+    mesh.G[0] = nook_make(0, 0, 0);
+    mesh.G[last] = nook_make(0, 0, 0.3f);
+    for (ring = 0; ring < RINGS; ring++) {
+        for (k = 0; k < SECTORS; k++) {
+            uint32_t a = 1 + ring * SECTORS + k, b = 1 + ring * SECTORS + (k + 1) % SECTORS;
+            float r = (float)radius[ring] * 0.001f;
+            mesh.G[a] = nook_make(r * turn[k][0], r * turn[k][1], (float)ring * 0.0207f + 0.004f);
+            if (ring == 0) add(0, b, a);
+            if (ring == RINGS - 1) {
+                add(a, b, last);
+            } else {
+                add(a, b, b + SECTORS);
+                add(a, b + SECTORS, a + SECTORS);
+            }
+        }
+    }
+}
+
+static uint32_t seed = 2463534242u;
+static float between(float low, float high) {
+    seed ^= seed << 13, seed ^= seed >> 17, seed ^= seed << 5;
+    return low + (high - low) * (float)(seed >> 8) * 0x1p-24f;
+}
+
+/* Around the link and in it. */
+static nook_point somewhere(void) {
+    float x = between(-0.1f, 0.1f), y = between(-0.1f, 0.1f);
+    return nook_make(x, y, between(-0.04f, 0.34f));
+}
+
+enum { ASKED = 32 };
+/* One of five kinds of question, to its end a unit at a time. */
+static void ask(const nook_bvh *bvh, uint32_t kind, const char *of) {
+    union {
+        nook_ray ray;
+        nook_closest closest;
+        nook_inside inside;
+    } q;
+    cost c = {0, 0};
+    uint32_t i, most = 0;
+    for (i = 0; i < ASKED; i++) {
+        nook_point a = somewhere(), b = somewhere();
+        uint32_t units = 0, from = c.sum;
+        nook_status status = NOOK_MORE;
+        start();
+        if (kind < 2u)
+            nook_ray_begin(&q.ray, bvh, a, nook_sub(b, a), NOOK_MAX_T,
+                           kind == 0 ? NOOK_NEAREST : NOOK_CROSSINGS);
+        if (kind == 2u) nook_closest_begin(&q.closest, bvh, a, a, NOOK_FAR, 0);
+        if (kind == 3u) nook_closest_begin(&q.closest, bvh, a, b, NOOK_FAR, 0);
+        if (kind == 4u) nook_inside_begin(&q.inside, bvh, a);
+        c.sum += spent();
+        while (status == NOOK_MORE) {
+            units = 1;
+            start();
+            status = kind < 2u    ? nook_ray_step(&q.ray, &units)
+                     : kind == 4u ? nook_inside_step(&q.inside, &units)
+                                  : nook_closest_step(&q.closest, &units);
+            note(&c, 0);
+        }
+        if (c.sum - from > most) most = c.sum - from;
+    }
+    print_cost(of, "_mean", c.sum / ASKED);
+    print_cost(of, "_most", most);
+    print_cost(of, "_most_a_unit", c.most);
+}
+
+static void queries(void) {
+    static const char *const names[5] = {"ray_nearest", "ray_crossings", "closest_point", "closest_segment",
+                                         "inside"};
+    nook_intersections found;
+    nook_bvh_state build;
+    nook_bvh bvh;
+    nook_view view;
+    cost c = {0, 0}, self = {0, 0};
+    uint32_t units, i;
+    nook_status status;
+    robot_link();
+    view = nook_view_of(&mesh);
+    nook_bvh_begin(&build, &bvh, &view, tree.boxes, tree.order, NULL);
+    do {
+        units = 1, start(), status = nook_bvh_step(&build, &units), note(&c, 0);
+    } while (status == NOOK_MORE);
+    print_cost("bvh_build", "_most_a_unit", c.most);
+    start(), nook_bvh_build(&bvh, &view, tree.boxes, tree.order, NULL);
+    print_cost("bvh_build", "_a_triangle", spent() / mesh.nt);
+    nook_bvh_refit_begin(&build, &bvh, tree.boxes, NULL);
+    units = UINT32_MAX, start(), nook_bvh_step(&build, &units);
+    print_cost("bvh_refit", "_a_triangle", spent() / mesh.nt);
+    for (i = 0; i < 5u; i++) ask(&bvh, i, names[i]);
+    nook_intersections_begin(&found, &bvh);
+    do {
+        units = 1, start(), status = nook_intersections_step(&found, &units), note(&self, 0);
+    } while (status == NOOK_MORE);
+    print_cost("self_intersections", "_a_triangle", self.sum / mesh.nt);
+    print_cost("self_intersections", "_most_a_unit", self.most);
+}
+
 int main(void) {
     start();
     overhead = (nook_port_ticks() - before) & 0xFFFFFFu;
@@ -275,6 +396,7 @@ int main(void) {
         edits("_without_turning", &careful);
     }
     sewing();
+    queries();
 #endif
     return 0;
 }
