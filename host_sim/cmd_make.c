@@ -2,7 +2,6 @@
 #include <inttypes.h>
 
 #include "commands.h"
-#include "export.h"
 
 const char make_help[] =
     "nook make SHAPE [--triangles N] [--defect KIND] [--format F] -o OUT      a mesh to try things with\n"
@@ -17,20 +16,6 @@ const char make_help[] =
     "\n"
     "The same bytes on every machine. Exit status: 0 written, 2 not.\n";
 
-static bool choose_format(const options *o, file_format *format) {
-    const char *out = o->value[OPTION_OUTPUT];
-    if (o->given[OPTION_FORMAT]) {
-        *format = format_named(o->value[OPTION_FORMAT]);
-        return *format != NO_FORMAT
-                   ? true
-                   : usage_error("the formats are stl, obj, off and ply, not ", o->value[OPTION_FORMAT]);
-    }
-    *format = format_of_path(out);
-    return *format != NO_FORMAT
-               ? true
-               : usage_error("no format: end the name in .stl, .obj, .off or .ply, or give --format: ", out);
-}
-
 static bool draw(drawing *d, const options *o, uint32_t triangles, file_format format) {
     const char *kind = o->value[OPTION_DEFECT];
     if (!draw_shape(d, o->operand[1], triangles)) return usage_error("the shapes are: ", shape_names);
@@ -40,31 +25,19 @@ static bool draw(drawing *d, const options *o, uint32_t triangles, file_format f
     return spoil(d, kind) ? true : usage_error("the defects are: ", defect_names);
 }
 
-static bool write_drawing(const drawing *d, const char *path, file_format format) {
-    bytes out;
-    failure f;
-    bool good;
-    export_drawing(&out, d, format);
-    good = bytes_write(&out, path, &f);
-    bytes_free(&out);
-    if (!good) {
-        print_failure(stderr, path, &f);
-        return false;
-    }
-    (void)fprintf(stderr, "nook: %s: %" PRIu32 " triangles, %" PRIu32 " vertices\n", path, d->nt, d->nv);
-    return true;
-}
-
 int cmd_make(const options *o) {
     drawing d;
     file_format format;
+    const char *out = o->value[OPTION_OUTPUT];
     uint32_t triangles = 320;
     bool good;
     if (o->operands != 2) return usage_error("make needs one shape out of: ", shape_names) ? 0 : 2;
     if (!o->given[OPTION_OUTPUT]) return usage_error("make needs -o OUT", "") ? 0 : 2;
-    if (!option_count(o, OPTION_TRIANGLES, &triangles) || !choose_format(o, &format)) return 2;
+    if (!option_count(o, OPTION_TRIANGLES, &triangles) || !option_format(o, out, &format)) return 2;
     memset(&d, 0, sizeof d);
-    good = draw(&d, o, triangles, format) && write_drawing(&d, o->value[OPTION_OUTPUT], format);
+    good = draw(&d, o, triangles, format) && write_drawing(&d, out, format);
+    if (good)
+        (void)fprintf(stderr, "nook: %s: %" PRIu32 " triangles, %" PRIu32 " vertices\n", out, d.nt, d.nv);
     drawing_free(&d);
     return good ? 0 : 2;
 }

@@ -7,8 +7,12 @@
 
 int cmd_check(const options *o);
 int cmd_make(const options *o);
+int cmd_query(const options *o);
+int cmd_hull(const options *o);
 
 extern const char check_help[];
 extern const char make_help[];
+extern const char query_help[];
+extern const char hull_help[];
 
 #endif

@@ -110,3 +110,14 @@ void export_drawing(bytes *out, const drawing *d, file_format format) {
     if (format == FORMAT_OFF) export_off(out, d);
     if (format == FORMAT_PLY) export_ply(out, d);
 }
+
+bool write_drawing(const drawing *d, const char *path, file_format format) {
+    bytes out;
+    failure f;
+    bool good;
+    export_drawing(&out, d, format);
+    good = bytes_write(&out, path, &f);
+    bytes_free(&out);
+    if (!good) print_failure(stderr, path, &f);
+    return good;
+}

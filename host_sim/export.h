@@ -13,5 +13,7 @@ file_format format_of_path(const char *path);
 
 /* out begins empty; the caller frees it. Coordinates in text read back to the same floats. */
 void export_drawing(bytes *out, const drawing *d, file_format format);
+/* The same to a file, whole or not at all; false after saying why not. */
+bool write_drawing(const drawing *d, const char *path, file_format format);
 
 #endif

@@ -13,11 +13,12 @@ static const struct {
 } commands[] = {
     {"check", cmd_check, check_help, FOR_CHECK},
     {"make", cmd_make, make_help, FOR_MAKE},
+    {"query", cmd_query, query_help, FOR_QUERY},
+    {"hull", cmd_hull, hull_help, FOR_HULL},
 };
 
 static const char *const planned[] = {
-    "repair", "simplify", "smooth", "query", "collide", "hull",
-    "pack",   "unpack",   "verify", "robot", "boards",  "run",
+    "repair", "simplify", "smooth", "collide", "pack", "unpack", "verify", "robot", "boards", "run",
 };
 
 static const char help[] =
@@ -25,6 +26,9 @@ static const char help[] =
     "\n"
     "  nook check FILE...                       is this mesh sound, and if not, where?\n"
     "  nook make SHAPE [--triangles N] -o OUT   a mesh to try things with, sound or with a defect\n"
+    "  nook query FILE                          distance, inside or outside, and rays: JSON on standard "
+    "input\n"
+    "  nook hull IN OUT                         the convex hull\n"
     "  nook COMMAND --help                      the options of a command\n"
     "  nook --version\n"
     "\n"

@@ -11,20 +11,14 @@ static const struct {
     bool takes_value;
     unsigned commands;
 } table[OPTION_COUNT] = {
-    {"--help", false, FOR_CHECK | FOR_MAKE},
-    {"--version", false, FOR_CHECK | FOR_MAKE},
-    {"--json", false, FOR_CHECK},
-    {"--weld", true, FOR_CHECK},
-    {"--scale", true, FOR_CHECK},
-    {"--require", true, FOR_CHECK},
-    {"--max-list", true, FOR_CHECK},
-    {"--board", true, FOR_CHECK},
-    {"--html", true, FOR_CHECK},
-    {"--svg", true, FOR_CHECK},
-    {"--triangles", true, FOR_MAKE},
-    {"--defect", true, FOR_MAKE},
-    {"-o", true, FOR_MAKE},
-    {"--format", true, FOR_MAKE},
+    {"--help", false, FOR_ALL},      {"--version", false, FOR_ALL},
+    {"--json", false, FOR_MESH},     {"--weld", true, FOR_MESH},
+    {"--scale", true, FOR_MESH},     {"--require", true, FOR_CHECK},
+    {"--max-list", true, FOR_CHECK}, {"--board", true, FOR_CHECK},
+    {"--html", true, FOR_CHECK},     {"--svg", true, FOR_CHECK},
+    {"--triangles", true, FOR_MAKE}, {"--defect", true, FOR_MAKE},
+    {"-o", true, FOR_MAKE},          {"--format", true, FOR_MAKE | FOR_HULL},
+    {"--budget", true, FOR_QUERY},
 };
 
 bool usage_error(const char *what, const char *about) {
@@ -124,4 +118,17 @@ bool options_for_load(const options *o, load_options *load) {
         return usage_error("--scale needs a positive number, not ", o->value[OPTION_SCALE]);
     }
     return true;
+}
+
+bool option_format(const options *o, const char *out, file_format *format) {
+    if (o->given[OPTION_FORMAT]) {
+        *format = format_named(o->value[OPTION_FORMAT]);
+        return *format != NO_FORMAT
+                   ? true
+                   : usage_error("the formats are stl, obj, off and ply, not ", o->value[OPTION_FORMAT]);
+    }
+    *format = format_of_path(out);
+    return *format != NO_FORMAT
+               ? true
+               : usage_error("no format: end the name in .stl, .obj, .off or .ply, or give --format: ", out);
 }

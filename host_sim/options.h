@@ -2,9 +2,17 @@
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
+#include "export.h"
 #include "model.h"
 
-typedef enum command_set { FOR_CHECK = 1, FOR_MAKE = 2 } command_set;
+typedef enum command_set {
+    FOR_CHECK = 1,
+    FOR_MAKE = 2,
+    FOR_QUERY = 4,
+    FOR_HULL = 8,
+    FOR_MESH = FOR_CHECK | FOR_QUERY | FOR_HULL, /* reads one */
+    FOR_ALL = FOR_MESH | FOR_MAKE
+} command_set;
 
 typedef enum option {
     OPTION_HELP,
@@ -21,6 +29,7 @@ typedef enum option {
     OPTION_DEFECT,
     OPTION_OUTPUT,
     OPTION_FORMAT,
+    OPTION_BUDGET,
     OPTION_COUNT
 } option;
 
@@ -40,6 +49,8 @@ bool options_allowed(const options *o, unsigned command, const char *name);
  * when the option was not given. */
 bool option_count(const options *o, option which, uint32_t *value);
 bool options_for_load(const options *o, load_options *load);
+/* The format to write: as --format says, or as out ends. */
+bool option_format(const options *o, const char *out, file_format *format);
 
 /* One line on stderr; returns false. */
 bool usage_error(const char *what, const char *about);

@@ -2,114 +2,17 @@
  * this mesh" or "not computed". Any file name gives valid JSON. */
 #include <inttypes.h>
 
-#include "decimal.h"
+#include "json.h"
 #include "report.h"
 
-/* ---- strings --------------------------------------------------------------------------------- */
-
-/* The length of a well-formed UTF-8 sequence at s, or 0. */
-static size_t utf8_length(const unsigned char *s) {
-    size_t i, n = s[0] < 0x80 ? 1 : s[0] >= 0xF0 ? 4 : s[0] >= 0xE0 ? 3 : 2;
-    if (n == 1) return 1;
-    if (s[0] < 0xC2 || s[0] > 0xF4) return 0;
-    for (i = 1; i < n; i++) {
-        if ((s[i] & 0xC0) != 0x80) return 0;
-    }
-    if ((s[0] == 0xE0 && s[1] < 0xA0) || (s[0] == 0xED && s[1] > 0x9F)) return 0;
-    if ((s[0] == 0xF0 && s[1] < 0x90) || (s[0] == 0xF4 && s[1] > 0x8F)) return 0;
-    return n;
-}
-
-static void put_string(FILE *to, const char *text) {
-    const unsigned char *s = (const unsigned char *)text;
-    (void)fputc('"', to);
-    while (*s != 0) {
-        size_t n = utf8_length(s);
-        if (n == 0) {
-            (void)fputs("\\ufffd", to);
-            s++;
-            continue;
-        }
-        if (*s < 32 || *s == 127) {
-            (void)fprintf(to, "\\u%04x", (unsigned)*s);
-        } else {
-            if (*s == '"' || *s == '\\') (void)fputc('\\', to);
-            (void)fwrite(s, 1, n, to);
-        }
-        s += n;
-    }
-    (void)fputc('"', to);
-}
-
-/* ---- values: a key and what it holds --------------------------------------------------------- */
-
-static void key(FILE *to, const char *name) { (void)fprintf(to, ",\"%s\":", name); }
-
-static void put_text(FILE *to, const char *name, const char *text) {
-    key(to, name);
-    put_string(to, text);
-}
-
-static void put_null(FILE *to, const char *name) {
-    key(to, name);
-    (void)fputs("null", to);
-}
-
-static void put_count(FILE *to, const char *name, uint32_t n) {
-    if (n == NOOK_UNKNOWN) {
-        put_null(to, name);
-        return;
-    }
-    key(to, name);
-    (void)fprintf(to, "%" PRIu32, n);
-}
-
+/* A byte or line of a file. */
 static void put_place(FILE *to, const char *name, uint64_t n) {
+    put_key(to, name);
     if (n == FAILURE_NOWHERE) {
-        put_null(to, name);
-        return;
-    }
-    key(to, name);
-    (void)fprintf(to, "%" PRIu64, n);
-}
-
-static void put_truth(FILE *to, const char *name, nook_truth truth) {
-    key(to, name);
-    (void)fputs(truth == NOOK_MAYBE ? "null" : truth == NOOK_YES ? "true" : "false", to);
-}
-
-static bool is_finite(float x) { return (nook_float_bits(x) & 0x7F800000u) != 0x7F800000u; }
-
-static void number(FILE *to, float x) { (void)fputs(is_finite(x) ? decimal_of(x).text : "null", to); }
-
-static void put_float(FILE *to, const char *name, bool known, float x) {
-    key(to, name);
-    if (known) {
-        number(to, x);
-    } else {
         (void)fputs("null", to);
+    } else {
+        (void)fprintf(to, "%" PRIu64, n);
     }
-}
-
-/* null as a whole if any of them is beyond float32. */
-static void put_floats(FILE *to, const char *name, bool known, const float *x, uint32_t n) {
-    uint32_t i;
-    for (i = 0; i < n; i++) known = known && is_finite(x[i]);
-    if (!known) {
-        put_null(to, name);
-        return;
-    }
-    key(to, name);
-    for (i = 0; i < n; i++) {
-        (void)fputc(i == 0 ? '[' : ',', to);
-        number(to, x[i]);
-    }
-    (void)fputc(']', to);
-}
-
-static void put_point(FILE *to, const char *name, bool known, nook_point p) {
-    const float x[3] = {p.x, p.y, p.z};
-    put_floats(to, name, known, x, 3);
 }
 
 /* ---- the object ------------------------------------------------------------------------------ */
@@ -140,7 +43,7 @@ static void put_counts(FILE *to, const model *m, const nook_check_result *r) {
     put_count(to, "nonmanifold_vertices", r->survey.nonmanifold_vertices);
     put_count(to, "border_loops", r->edge_manifold == NOOK_YES ? r->survey.border_loops : NOOK_UNKNOWN);
     put_count(to, "components", r->survey.components);
-    key(to, "euler");
+    put_key(to, "euler");
     if (r->euler_known) {
         (void)fprintf(to, "%" PRId32, r->euler);
     } else {
@@ -153,17 +56,18 @@ static void put_witness(FILE *to, const nook_geometry *g) {
         put_null(to, "convex_witness");
         return;
     }
-    key(to, "convex_witness");
+    put_key(to, "convex_witness");
     (void)fprintf(to, "{\"vertex\":%" PRIu32 ",\"triangle\":%" PRIu32 "}", g->witness_vertex,
                   g->witness_triangle);
 }
 
-static void put_measures(FILE *to, const model *m, const nook_check_result *r) {
+static void put_measures(FILE *to, const model *m, const verdict *v) {
+    const nook_check_result *r = &v->check;
     const nook_geometry *g = &r->geometry;
     bool any = m->mesh.nt != 0, known = any && g->known,
          solid = known && r->watertight == NOOK_YES && r->oriented == NOOK_YES, mass = solid && g->mass_known;
-    put_null(to, "self_intersections");
-    put_null(to, "t_junctions");
+    put_count(to, "self_intersections", v->self_intersections);
+    put_count(to, "t_junctions", v->t_junctions);
     put_count(to, "concave_edges", solid ? g->concave_edges : NOOK_UNKNOWN);
     put_count(to, "convex_edges", solid ? g->convex_edges : NOOK_UNKNOWN);
     put_count(to, "flat_edges", solid ? g->flat_edges : NOOK_UNKNOWN);
@@ -194,7 +98,7 @@ static void put_shell(FILE *to, const nook_shell *s) {
 
 static void put_shells(FILE *to, const nook_shells *shells) {
     uint32_t k;
-    key(to, "shells");
+    put_key(to, "shells");
     (void)fputc('[', to);
     for (k = 0; k < shells->count; k++) {
         if (k != 0) (void)fputc(',', to);
@@ -203,16 +107,25 @@ static void put_shells(FILE *to, const nook_shells *shells) {
     (void)fputc(']', to);
 }
 
+static void put_corner(FILE *to, const model *m, uint32_t corner) {
+    (void)fprintf(to, "\"corner\":%" PRIu32 ",\"edge\":[%" PRIu32 ",%" PRIu32 "]", corner,
+                  (uint32_t)m->mesh.V[nook_next(corner)], (uint32_t)m->mesh.V[nook_prev(corner)]);
+}
+
 static void put_element(FILE *to, const model *m, const verdict *v, nook_status kind, uint32_t i) {
-    nook_where where = v->defects[kind].where[i];
-    const nook_index *V = m->mesh.V;
+    nook_where where = v->defects[kind].place[i].where;
+    uint32_t other = v->defects[kind].place[i].other;
     (void)fputc('{', to);
     if (where.kind == NOOK_AT_CORNER) {
-        (void)fprintf(to, "\"corner\":%" PRIu32 ",\"edge\":[%" PRIu32 ",%" PRIu32 "]", where.index,
-                      (uint32_t)V[nook_next(where.index)], (uint32_t)V[nook_prev(where.index)]);
+        put_corner(to, m, where.index);
     } else {
         (void)fprintf(to, "\"%s\":%" PRIu32, where.kind == NOOK_AT_VERTEX ? "vertex" : "triangle",
                       where.index);
+    }
+    if (kind == NOOK_SELF_INTERSECTION) put_count(to, "other", other);
+    if (kind == NOOK_T_JUNCTION) {
+        (void)fputc(',', to);
+        put_corner(to, m, other);
     }
     put_point(to, "position", true, place_of(v, m, kind, i));
     (void)fputc('}', to);
@@ -225,9 +138,9 @@ static void put_defect(FILE *to, const model *m, const verdict *v, nook_status k
     put_string(to, nook_status_name(kind));
     put_text(to, "severity", is_error(kind) ? "error" : "warning");
     put_count(to, "count", d->count);
-    key(to, "elements");
+    put_key(to, "elements");
     (void)fputc('[', to);
-    for (i = 0; i < d->listed && d->where[i].kind != NOOK_NOWHERE; i++) {
+    for (i = 0; i < d->listed && d->place[i].where.kind != NOOK_NOWHERE; i++) {
         if (i != 0) (void)fputc(',', to);
         put_element(to, m, v, kind, i);
     }
@@ -237,7 +150,7 @@ static void put_defect(FILE *to, const model *m, const verdict *v, nook_status k
 static void put_defects(FILE *to, const model *m, const verdict *v) {
     int kind;
     bool first = true;
-    key(to, "defects");
+    put_key(to, "defects");
     (void)fputc('[', to);
     for (kind = 0; kind < NOOK_STATUS_COUNT; kind++) {
         if (v->defects[kind].count == 0) continue;
@@ -251,7 +164,7 @@ static void put_defects(FILE *to, const model *m, const verdict *v) {
 static void put_memory(FILE *to, const nook_mesh *mesh) {
     uint64_t flash = NOOK_MESH_BYTES(mesh->nv, mesh->nt),
              marks = NOOK_MT_BYTES(mesh->nt) + NOOK_MV_BYTES(mesh->nv);
-    key(to, "memory");
+    put_key(to, "memory");
     (void)fprintf(to, "{\"flash_bytes\":%" PRIu64 ",\"ram_bytes\":%" PRIu64 "}", flash, flash + marks);
 }
 
@@ -261,7 +174,7 @@ void report_json(FILE *to, const char *file, const model *m, const verdict *v, u
     (void)fprintf(to, ",\"digest\":\"%08" PRIx32 "\"", v->digest);
     put_counts(to, m, &v->check);
     for (i = 0; i < PROPERTY_FIELDS; i++) put_truth(to, property_name(i), property_of(v, m, i));
-    put_measures(to, m, &v->check);
+    put_measures(to, m, v);
     put_shells(to, &v->shells);
     put_defects(to, m, v);
     put_memory(to, &m->mesh);
@@ -270,7 +183,7 @@ void report_json(FILE *to, const char *file, const model *m, const verdict *v, u
 
 void report_json_unreadable(FILE *to, const char *file, const char *format, const failure *f) {
     begin_object(to, file, format, "unreadable");
-    key(to, "error");
+    put_key(to, "error");
     (void)fputs("{\"code\":", to);
     put_string(to, f->code);
     put_place(to, "byte", f->byte);

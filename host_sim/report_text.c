@@ -35,6 +35,12 @@ static const wording wordings[] = {
      "three different vertices on one line"},
     {NOOK_FOLDED_EDGE, "folded edge", "folded edges",
      "the two triangles there lie in one plane, one back upon the other"},
+    {NOOK_SELF_INTERSECTION, "self-intersection", "self-intersections",
+     "two triangles meet elsewhere than in the vertices they share: the surface goes through itself or "
+     "touches "
+     "itself"},
+    {NOOK_T_JUNCTION, "T-junction", "T-junctions",
+     "a vertex within a border edge: one side of a seam has it, the other has not"},
 };
 
 static wording wording_of(nook_status kind) {
@@ -78,21 +84,17 @@ static void print_verdict(FILE *to, const char *file, const model *m, const verd
     }
     if (sound) (void)fputs(": sound", to);
     if (!sound && before[0] == ':') (void)fputs(": DEFECTIVE: a required property does not hold", to);
-    (void)fputs(" (self-intersection not checked)\n", to);
+    (void)fputc('\n', to);
 }
 
-/* Required properties that do not hold; what nothing computes yet is said to be so. */
+/* Required properties that do not hold. */
 static void print_unmet(FILE *to, const model *m, const verdict *v, uint32_t required) {
     const char *before = "  required, but not so: ";
     uint32_t i;
     for (i = 0; i < PROPERTY_COUNT; i++) {
         nook_truth truth = property_of(v, m, i);
         if ((required >> i & 1u) == 0 || truth == NOOK_YES) continue;
-        if (i == PROPERTY_COUNT - 1u && truth == NOOK_MAYBE) continue; /* said in the verdict */
-        (void)fprintf(to, "%s%s%s", before, property_name(i),
-                      truth != NOOK_MAYBE ? ""
-                      : is_computed(i)    ? " (undefined here)"
-                                          : " (not computed yet)");
+        (void)fprintf(to, "%s%s%s", before, property_name(i), truth == NOOK_MAYBE ? " (undefined here)" : "");
         before = ", ";
     }
     if (before[0] == ',') (void)fputc('\n', to);
@@ -100,17 +102,27 @@ static void print_unmet(FILE *to, const model *m, const verdict *v, uint32_t req
 
 /* ---- reasons ----------------------------------------------------------------------------------- */
 
+static void print_edge(FILE *to, const model *m, uint32_t corner) {
+    (void)fprintf(to, "edge %" PRIu32 "-%" PRIu32 " of triangle %" PRIu32,
+                  (uint32_t)m->mesh.V[nook_next(corner)], (uint32_t)m->mesh.V[nook_prev(corner)],
+                  nook_triangle(corner));
+}
+
 static void print_element(FILE *to, const model *m, const verdict *v, nook_status kind, uint32_t i) {
-    nook_where where = v->defects[kind].where[i];
-    const nook_index *V = m->mesh.V;
-    if (where.kind == NOOK_AT_CORNER) {
-        (void)fprintf(to, "      edge %" PRIu32 "-%" PRIu32 " of triangle %" PRIu32 " at ",
-                      (uint32_t)V[nook_next(where.index)], (uint32_t)V[nook_prev(where.index)],
-                      nook_triangle(where.index));
+    const place *p = &v->defects[kind].place[i];
+    (void)fputs("      ", to);
+    if (p->where.kind == NOOK_AT_CORNER) {
+        print_edge(to, m, p->where.index);
     } else {
-        (void)fprintf(to, "      %s %" PRIu32 " at ", where.kind == NOOK_AT_VERTEX ? "vertex" : "triangle",
-                      where.index);
+        (void)fprintf(to, "%s %" PRIu32, p->where.kind == NOOK_AT_VERTEX ? "vertex" : "triangle",
+                      p->where.index);
     }
+    if (kind == NOOK_SELF_INTERSECTION) (void)fprintf(to, " and triangle %" PRIu32, p->other);
+    if (kind == NOOK_T_JUNCTION) {
+        (void)fputs(" on ", to);
+        print_edge(to, m, p->other);
+    }
+    (void)fputs(" at ", to);
     print_point(to, place_of(v, m, kind, i));
     (void)fputc('\n', to);
 }

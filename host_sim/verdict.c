@@ -6,14 +6,19 @@
 #include <stdlib.h>
 
 #include "heap.h"
+#include "tree.h"
 
-static void collect(void *user, nook_status kind, nook_where where) {
-    verdict *v = user;
+static void collect_pair(verdict *v, nook_status kind, nook_where where, uint32_t other) {
     defect *d = &v->defects[kind];
     d->count++;
     if (d->listed == v->max_list) return;
-    d->where = grow(d->where, &d->room, d->listed + 1u, sizeof *d->where);
-    d->where[d->listed++] = where;
+    d->place = grow(d->place, &d->room, d->listed + 1u, sizeof *d->place);
+    d->place[d->listed].where = where;
+    d->place[d->listed++].other = other;
+}
+
+static void collect(void *user, nook_status kind, nook_where where) {
+    collect_pair(user, kind, where, NOOK_NONE);
 }
 
 static void list_dropped(verdict *v, const model *m) {
@@ -42,6 +47,71 @@ static nook_status link_and_check(verdict *v, nook_mesh *mesh, const nook_marks 
     return status;
 }
 
+/* ---- what meets what -------------------------------------------------------------------------- */
+
+static nook_status find_intersections(verdict *v, const nook_bvh *bvh) {
+    nook_intersections found;
+    uint32_t units = 0;
+    nook_status status = nook_intersections_begin(&found, bvh);
+    if (status != NOOK_OK) return status;
+    for (;;) {
+        if (units == 0) units = UINT32_MAX;
+        status = nook_intersections_step(&found, &units);
+        if (status == NOOK_OK) break;
+        if (status == NOOK_MORE) continue;
+        if (status != NOOK_TRIANGLE) return status;
+        collect_pair(v, NOOK_SELF_INTERSECTION, nook_at(NOOK_AT_TRIANGLE, found.t), found.u);
+    }
+    v->self_intersections = found.count;
+    return NOOK_OK;
+}
+
+static float larger(float a, float b) {
+    float size = b < 0 ? -b : b;
+    return a > size ? a : size;
+}
+
+/* What rounding to float32 can do to a point on an edge of this mesh. */
+static float tolerance_of(const nook_geometry *g) {
+    float most = larger(larger(larger(0, g->box_min.x), g->box_min.y), g->box_min.z);
+    most = larger(larger(larger(most, g->box_max.x), g->box_max.y), g->box_max.z);
+    return most * 0x1p-22f;
+}
+
+static nook_status find_t_junctions(verdict *v, const nook_bvh *bvh) {
+    nook_t_junctions found;
+    uint32_t units = 0;
+    nook_status status = nook_t_junctions_begin(&found, bvh, tolerance_of(&v->check.geometry));
+    if (status != NOOK_OK) return status;
+    for (;;) {
+        if (units == 0) units = UINT32_MAX;
+        status = nook_t_junctions_step(&found, &units);
+        if (status == NOOK_OK) break;
+        if (status == NOOK_MORE) continue;
+        if (status != NOOK_TRIANGLE) return status;
+        collect_pair(v, NOOK_T_JUNCTION, nook_at(NOOK_AT_VERTEX, found.vertex), found.corner);
+    }
+    v->t_junctions = found.count;
+    return NOOK_OK;
+}
+
+/* Both need a linked mesh whose tables and coordinates are good. */
+static bool find_meetings(verdict *v, const nook_mesh *mesh, failure *f) {
+    tree t;
+    nook_status status;
+    if (mesh->nt == 0) return true;
+    v->self_intersections = v->t_junctions = NOOK_UNKNOWN;
+    if (!v->check.geometry.known) return true;
+    if (!tree_build(&t, mesh, f)) {
+        tree_free(&t);
+        return false;
+    }
+    status = find_intersections(v, &t.bvh);
+    if (status == NOOK_OK) status = find_t_junctions(v, &t.bvh);
+    tree_free(&t);
+    return status == NOOK_OK ? true : fail(f, status, NULL);
+}
+
 bool examine(verdict *v, model *m, uint32_t max_list, failure *f) {
     nook_mesh *mesh = &m->mesh;
     nook_marks marks;
@@ -61,12 +131,13 @@ bool examine(verdict *v, model *m, uint32_t max_list, failure *f) {
     v->outward = outward(&v->check);
     free(marks.Mt);
     free(marks.Mv);
-    return status == NOOK_OK ? true : fail(f, status, NULL);
+    if (status != NOOK_OK) return fail(f, status, NULL);
+    return find_meetings(v, mesh, f);
 }
 
 void verdict_free(verdict *v) {
     int kind;
-    for (kind = 0; kind < NOOK_STATUS_COUNT; kind++) free(v->defects[kind].where);
+    for (kind = 0; kind < NOOK_STATUS_COUNT; kind++) free(v->defects[kind].place);
     free(v->shells.shell);
     free(v->shells.component);
     free(v->shells.stamp);
@@ -125,11 +196,9 @@ nook_truth property_of(const verdict *v, const model *m, uint32_t property) {
     case NO_DEGENERATE: return none(m->degenerate + r->geometry.zero_area_triangles);
     case NO_DUPLICATE: return none(r->duplicate_triangles);
     case NO_ISOLATED: return none(r->isolated_vertices);
-    default: return r->geometry.folded_edges != 0 ? NOOK_NO : NOOK_MAYBE; /* all that is known yet */
+    default: return none(v->self_intersections);
     }
 }
-
-bool is_computed(uint32_t property) { return property != CONSISTENT && property != NO_SELF_INTERSECTION; }
 
 static bool parse_one(const char *name, size_t length, uint32_t *bits) {
     uint32_t i;
@@ -156,22 +225,44 @@ bool is_sound(const verdict *v, const model *m, uint32_t required) {
     uint32_t i;
     if (m->mesh.nt == 0) return false;
     for (i = 0; i < PROPERTY_COUNT; i++) {
-        nook_truth holds = property_of(v, m, i);
-        if ((required >> i & 1u) == 0 || (i == NO_SELF_INTERSECTION && holds == NOOK_MAYBE)) continue;
-        if (holds != NOOK_YES) return false;
+        if ((required >> i & 1u) != 0 && property_of(v, m, i) != NOOK_YES) return false;
     }
     return true;
 }
 
 /* ---- defects ------------------------------------------------------------------------------- */
 
-bool is_error(nook_status kind) { return kind != NOOK_ISOLATED_VERTEX; }
+bool is_error(nook_status kind) { return kind != NOOK_ISOLATED_VERTEX && kind != NOOK_T_JUNCTION; }
+
+static float least(float a, float b) { return a < b ? a : b; }
+static float most(float a, float b) { return a > b ? a : b; }
+
+/* The middle of what the boxes of two triangles have in common along one axis. */
+static float middle(const float t[3], const float u[3]) {
+    float low = most(least(least(t[0], t[1]), t[2]), least(least(u[0], u[1]), u[2]));
+    float high = least(most(most(t[0], t[1]), t[2]), most(most(u[0], u[1]), u[2]));
+    return 0.5f * (low + high);
+}
+
+static nook_point place_of_pair(const nook_view *view, uint32_t t, uint32_t u) {
+    float x[3][2][3]; /* axis, triangle, corner */
+    uint32_t i;
+    for (i = 0; i < 6u; i++) {
+        nook_point p = nook_point_at(view, 3u * (i < 3u ? t : u) + i % 3u);
+        x[0][i / 3u][i % 3u] = p.x;
+        x[1][i / 3u][i % 3u] = p.y;
+        x[2][i / 3u][i % 3u] = p.z;
+    }
+    return nook_make(middle(x[0][0], x[0][1]), middle(x[1][0], x[1][1]), middle(x[2][0], x[2][1]));
+}
 
 nook_point place_of(const verdict *v, const model *m, nook_status kind, uint32_t i) {
     nook_view view = nook_view_of(&m->mesh);
-    nook_where where = v->defects[kind].where[i];
+    nook_where where = v->defects[kind].place[i].where;
     nook_point a, b, c;
     if (kind == NOOK_REPEATED_VERTEX) return m->dropped_at[i];
+    if (kind == NOOK_SELF_INTERSECTION)
+        return place_of_pair(&view, where.index, v->defects[kind].place[i].other);
     if (where.kind == NOOK_AT_VERTEX) return view.G[where.index];
     if (where.kind == NOOK_AT_CORNER) {
         a = nook_point_at(&view, nook_next(where.index));

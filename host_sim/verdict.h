@@ -5,10 +5,17 @@
 
 #include "model.h"
 
+/* Where a defect is. other: the second triangle of a self-intersection; the corner that faces the edge of a
+ * T-junction, whose vertex is where. */
+typedef struct place {
+    nook_where where;
+    uint32_t other;
+} place;
+
 /* One kind of defect: how many, and the first few of them. */
 typedef struct defect {
     uint32_t count, listed;
-    nook_where *where; /* [listed] */
+    place *place; /* [listed] */
     size_t room;
 } defect;
 
@@ -17,12 +24,15 @@ typedef struct verdict {
     nook_check_result check;
     nook_shells shells;
     nook_truth outward; /* every shell's own volume is positive; NOOK_MAYBE unless watertight and oriented */
+    uint32_t self_intersections; /* pairs of triangles */
+    uint32_t t_junctions;        /* pairs of a vertex and a border edge */
     uint32_t digest;
     defect defects[NOOK_STATUS_COUNT];
     uint32_t max_list;
 } verdict;
 
-/* Links and checks m. False with f filled if the library refuses; verdict_free() either way. */
+/* Links and checks m, and looks for triangles that meet and for T-junctions. False with f filled if the
+ * library refuses; verdict_free() either way. */
 bool examine(verdict *v, model *m, uint32_t max_list, failure *f);
 void verdict_free(verdict *v);
 
@@ -32,21 +42,19 @@ void verdict_free(verdict *v);
 #define PROPERTIES_BY_DEFAULT                                                                                \
     "manifold,watertight,oriented,outward,no-degenerate,no-duplicate,no-self-intersection"
 const char *property_name(uint32_t property);
-/* NOOK_MAYBE: undefined for this mesh, or not computed. */
+/* NOOK_MAYBE: undefined for this mesh. */
 nook_truth property_of(const verdict *v, const model *m, uint32_t property);
-/* Whether anything computes this property yet. */
-bool is_computed(uint32_t property);
 /* A comma-separated list to bits; false if it holds an unknown name. */
 bool properties_parse(const char *list, uint32_t *bits);
 
-/* The verdict: there is a triangle, and every required property holds. What is unknown does not
- * hold, but for self-intersection, of which nothing but folded edges is known yet. */
+/* The verdict: there is a triangle, and every required property holds. What is undefined does not. */
 bool is_sound(const verdict *v, const model *m, uint32_t required);
 
 /* Whether a kind of defect decides the default verdict, or is only worth knowing. */
 bool is_error(nook_status kind);
 
-/* Where an element is: the middle of an edge or triangle, or the vertex. */
+/* Where an element is: the middle of an edge or triangle, the vertex, or of two triangles that meet the
+ * middle of what their boxes have in common. */
 nook_point place_of(const verdict *v, const model *m, nook_status kind, uint32_t i);
 
 #endif

@@ -20,7 +20,7 @@ enum { LOOKS = 16 }; /* along a list, in a step */
 static bool is_on_hull(const nook_hull_state *h, uint32_t v) { return nook_bit(h->marks.Mv, v); }
 static bool is_gone(const nook_hull_state *h, uint32_t t) { return nook_bit(h->marks.Mt, t); }
 
-/* Whether q is strictly outside triangle t with a as its first vertex. */
+/* Where q is of triangle t, whose first vertex is a: +1 is outside. */
 static int side_of(const nook_hull_state *h, uint32_t a, uint32_t t, uint32_t q) {
     const nook_mesh *m = h->mesh;
     return nook_orient3d(&m->G[a], &m->G[m->V[3u * t + 1u]], &m->G[m->V[3u * t + 2u]], &m->G[q]);

@@ -128,11 +128,8 @@ static void consider_edge(nearest *n, nook_point d, nook_point a, nook_point b) 
     consider(n, point, nook_scaled(d, s), s);
 }
 
-/* The segment's end, where it comes through the plane, and each edge. Whether it comes through the triangle is exact. */
-static void consider_segment(const nook_closest *q, nearest *n, const nook_point *const at[3],
-                             const nook_point p[3]) {
-    const nook_point *const segment[3] = {&q->a, &q->b, &q->b};
-    nook_point d = nook_scaled(nook_sub(q->b, q->a), q->scale);
+/* From both ends, from where it comes through the plane, and along each edge. */
+NOOK_APART static void consider_segment(nearest *n, nook_point d, const nook_point p[3]) {
     nook_point normal = nook_cross(nook_sub(p[1], p[0]), nook_sub(p[2], p[0]));
     float s = clamp(nook_dot(p[0], normal) / nook_dot(d, normal));
     consider_triangle(n, p, d, 1);
@@ -140,10 +137,6 @@ static void consider_segment(const nook_closest *q, nearest *n, const nook_point
     consider_edge(n, d, p[0], p[1]);
     consider_edge(n, d, p[1], p[2]);
     consider_edge(n, d, p[2], p[0]);
-    if (nook_triangles_meet(segment, at)) {
-        n->square = 0;
-        n->crosses = true;
-    }
 }
 
 /* ---- finding -------------------------------------------------------------------------------------- */
@@ -159,23 +152,65 @@ static void found(nook_closest *q, uint32_t t, const nearest *n) {
     q->point = along(q->a, n->point, 1.0f / q->scale);
 }
 
-static bool look_at(nook_closest *q, uint32_t t) {
-    const nook_point *at[3];
-    nook_point p[3];
-    nearest n = {{0, 0, 0}, 0, 0x1p127f, false};
-    uint32_t i;
-    if (!nook_points_of(q->bvh, t, at)) return false;
-    for (i = 0; i < 3u; i++) p[i] = nook_scaled(nook_sub(*at[i], q->a), q->scale);
-    consider_triangle(&n, p, nook_make(0, 0, 0), 0);
-    if (q->is_segment) consider_segment(q, &n, at, p);
-    found(q, t, &n);
+/* Some triangles from a place on, seen from the beginning of the segment. */
+typedef struct some {
+    uint32_t t[NOOK_LANES];
+    const nook_point *at[NOOK_LANES][3];
+    nook_point p[NOOK_LANES][3];
+} some;
+
+static bool gather(const nook_closest *q, uint32_t place, some *x) {
+    uint32_t last = q->bvh->view.nt - 1u, k, i;
+    for (k = 0; k < NOOK_LANES; k++) {
+        x->t[k] = nook_triangle_at(q->bvh, place + k < last ? place + k : last);
+        if (!nook_points_of(q->bvh, x->t[k], x->at[k])) return false;
+        for (i = 0; i < 3u; i++) x->p[k][i] = nook_scaled(nook_sub(*x->at[k][i], q->a), q->scale);
+    }
     return true;
 }
 
+/* Which of them have boxes near enough to that of the segment. */
+static nook_flags are_near(const nook_closest *q, const some *x, nook_point d) {
+    nook_lanes square = nook_lanes_of(0), low = square, high = square;
+    uint32_t axis, k;
+    for (axis = 0; axis < 3u; axis++) {
+        float end = (&d.x)[axis];
+        for (k = 0; k < NOOK_LANES; k++) {
+            float a = (&x->p[k][0].x)[axis], b = (&x->p[k][1].x)[axis], c = (&x->p[k][2].x)[axis];
+            float least = a < b ? a : b, most = a < b ? b : a;
+            NOOK_SET_LANE(low, k, c < least ? c : least);
+            NOOK_SET_LANE(high, k, c > most ? c : most);
+        }
+        low = nook_larger(low - nook_lanes_of(end > 0 ? end : 0), nook_lanes_of(end < 0 ? end : 0) - high);
+        low = nook_larger(low, nook_lanes_of(0));
+        square = square + low * low;
+    }
+    return square <= nook_lanes_of(q->reach);
+}
+
+static void look_at(nook_closest *q, const some *x, uint32_t k, nook_point d) {
+    const nook_point *const segment[3] = {&q->a, &q->b, &q->b};
+    nearest n = {{0, 0, 0}, 0, 0x1p127f, false};
+    consider_triangle(&n, x->p[k], nook_make(0, 0, 0), 0);
+    if (q->is_segment) {
+        consider_segment(&n, d, x->p[k]);
+        n.crosses = nook_triangles_meet(segment, x->at[k]);
+        if (n.crosses) n.square = 0;
+    }
+    found(q, x->t[k], &n);
+}
+
 static bool visit_leaf(nook_closest *q) {
-    uint32_t place = 4u * q->descent.node, end = place + 4u, nt = q->bvh->view.nt;
-    for (; place < end && place < nt; place++) {
-        if (!look_at(q, nook_triangle_at(q->bvh, place))) return false;
+    uint32_t place = 4u * q->descent.node, end = place + 4u, nt = q->bvh->view.nt, k;
+    nook_point d = nook_scaled(nook_sub(q->b, q->a), q->scale);
+    for (; place < end && place < nt; place += NOOK_LANES) {
+        nook_flags near;
+        some x;
+        if (!gather(q, place, &x)) return false;
+        near = are_near(q, &x, d);
+        for (k = 0; k < NOOK_LANES && place + k < nt; k++) {
+            if (nook_flag(near, k)) look_at(q, &x, k, d);
+        }
     }
     nook_descent_leave(&q->descent);
     return true;

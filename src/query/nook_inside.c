@@ -143,6 +143,7 @@ nook_status nook_inside_step(nook_inside *q, uint32_t *units) {
 nook_status nook_side_of(const nook_bvh *bvh, nook_point point, int *side) {
     nook_inside inside;
     nook_status status = nook_inside_begin(&inside, bvh, point);
+    if (side == NULL) return NOOK_NULL_ARGUMENT;
     if (status != NOOK_OK) return status;
     do {
         uint32_t units = 16;

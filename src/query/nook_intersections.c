@@ -79,7 +79,7 @@ static uint32_t overlapping(const bundle *b, nook_point low, nook_point high) {
 }
 
 /* Bits 4 i + j of pairs: place i of the leaf and place j of the node have boxes that overlap, and i comes first. */
-static bool find_pairs(nook_intersections *q) {
+NOOK_APART static bool find_pairs(nook_intersections *q) {
     uint32_t nt = q->bvh->view.nt, i, j, k, axis, first = 4u * q->leaf, second = 4u * q->descent.node;
     nook_point low[4], high[4], a, b;
     q->pairs = 0;
@@ -105,7 +105,7 @@ static bool find_pairs(nook_intersections *q) {
 }
 
 /* The next of the pairs that intersects. */
-static bool next_pair(nook_intersections *q) {
+NOOK_APART static bool next_pair(nook_intersections *q) {
     while (q->pairs != 0) {
         uint32_t i = 0, t, u;
         while ((q->pairs >> i & 1u) == 0) i++;

@@ -39,8 +39,8 @@ typedef struct nook_t_junctions {
     nook_descent descent;
 } nook_t_junctions;
 
-/* All pairs of a border edge (O[c] = c) and a vertex that is no end of it, has a triangle, and lies on it: nearer than
- * tolerance to a point of the edge, and farther than that from both its ends. The float of 2^-22 of the largest coordinate allows for
+/* All pairs of a border edge (O[c] = c) and a vertex that is no end of it, has a triangle, and lies on it: no farther than
+ * tolerance from a point of the edge, and farther than that from both its ends. The float of 2^-22 of the largest coordinate allows for
  * what rounding to float32 does to a point on an edge.
  *   NOOK_NULL_ARGUMENT */
 nook_status nook_t_junctions_begin(nook_t_junctions *junctions, const nook_bvh *bvh, float tolerance);

@@ -133,7 +133,7 @@ static float t_through(const nook_ray *r, const nook_point *const p[3]) {
     float speed = nook_dot(d, n), size = nook_abs(d.x * n.x) + nook_abs(d.y * n.y) + nook_abs(d.z * n.z);
     nook_point ab = nook_sub(*q[1], *q[0]), ac = nook_sub(*q[2], *q[0]);
     size += 2.0f * (nook_abs(ab.x * ac.y * d.z) + nook_abs(ab.y * ac.z * d.x) + nook_abs(ab.z * ac.x * d.y));
-    if (nook_abs(speed) * 32.0f > size + 0x1p-100f) return nook_dot(a, n) / speed;
+    if (nook_abs(speed) * 32.0f > size + 0x1p-70f) return nook_dot(a, n) / speed;
     return t_exactly(r, p);
 }
 

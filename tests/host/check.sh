@@ -34,7 +34,7 @@ for shape in icosphere torus box capsule pipe gear; do
 done
 expect 'a torus has genus 1' 0 '"genus":1,' "$nook" check --json "$dir/torus.off"
 expect 'a sphere is simple' 0 '"simple":true' "$nook" check --json "$dir/icosphere.off"
-expect 'the text begins with the verdict' 0 ': sound (self-intersection not checked)$' "$nook" check "$dir/box.stl"
+expect 'the text begins with the verdict' 0 ': sound$' "$nook" check "$dir/box.stl"
 
 defect() { # kind, pattern
     "$nook" make icosphere --defect "$1" -o "$dir/bad.off" 2>"$dir/err" || no "make --defect $1: $(cat "$dir/err")"
@@ -50,6 +50,7 @@ for shape in sheet moebius; do
     expect "a fin on the rim of a $shape" 1 '"nonmanifold_edges":1,' "$nook" check --json "$dir/fin.obj"
 done
 defect bow-tie '"code":"nonmanifold_vertex","severity":"error","count":1'
+defect crossing '"consistent":false,.*"self_intersections":92,"t_junctions":0,.*"code":"self_intersection","severity":"error","count":92,"elements":\[{"triangle":[0-9]*,"other":[0-9]*,"position":\[[^]]*\]},'
 defect degenerate '"degenerate_triangles":1'
 defect zero-area '"code":"zero_area_triangle","severity":"error","count":1'
 "$nook" make icosphere --defect isolated -o "$dir/isolated.off"
@@ -70,6 +71,26 @@ expect 'the text says where' 0 'convex     no: vertex [0-9]* is outside the plan
 printf 'v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n' >"$dir/flat.obj"
 expect 'a surface folded upon itself is flat and not outward' 1 '"consistent":false.*"folded_edges":[1-9].*"code":"flat_shell"' "$nook" check --json "$dir/flat.obj"
 expect 'an open mesh has no volume, no centroid and no convexity' 1 '"convex":null.*"concave_edges":null,.*"signed_volume":null,"centroid":null,"inertia":null' sh -c "'$nook' make sheet -o - --format off | '$nook' check --json -"
+expect 'a mesh that does not meet itself' 0 '"consistent":true,.*"self_intersections":0,"t_junctions":0,' "$nook" check --json "$dir/torus.off"
+"$nook" make icosphere --defect crossing -o "$dir/crossing.off" 2>/dev/null
+expect 'the text says that it does' 1 ': DEFECTIVE: 92 self-intersections$' "$nook" check "$dir/crossing.off"
+expect 'and where' 1 '^      triangle [0-9]* and triangle [0-9]* at (-\{0,1\}[0-9.]*, -\{0,1\}[0-9.]*, -\{0,1\}[0-9.]*)$' "$nook" check "$dir/crossing.off"
+printf 'v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 -1\nv 2 1 -1\nv 1 1 3\nf 1 2 3\nf 4 5 6\n' >"$dir/cut.obj"
+expect 'a pair is named once, at the middle of what their boxes share' 1 '"count":1,"elements":\[{"triangle":0,"other":1,"position":\[1.5,1,0\]}\]' "$nook" check --json "$dir/cut.obj"
+expect 'what is not required does not decide' 0 '"verdict":"sound"' "$nook" check --json --require watertight "$dir/crossing.off"
+expect 'consistent may be required' 1 'required, but not so: consistent$' "$nook" check --require consistent "$dir/crossing.off"
+expect 'pairs listed are limited, their number is not' 1 '"count":92,"elements":\[{[^{]*},{[^{]*}\]}' "$nook" check --json --max-list 2 "$dir/crossing.off"
+tetra='v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n' tetra_faces='f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n'
+printf "${tetra}${tetra_faces}v 0 0 1\nv 1 0 2\nv 0 1 2\nv 0 0 2\nf 5 7 6\nf 5 6 8\nf 6 7 8\nf 7 5 8\n" >"$dir/tips.obj"
+expect 'two tips at one point meet: three triangles with three' 1 '"self_intersections":9,' "$nook" check --json "$dir/tips.obj"
+awk '$0 == "v 0 0 1" && seen++ { $0 = "v 0 0 1.0000001" } { print }' "$dir/tips.obj" >"$dir/gap.obj"
+expect 'the least gap is a gap' 0 '"self_intersections":0,' "$nook" check --json "$dir/gap.obj"
+printf 'v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 0 0\nv 1 -1 0\nf 1 2 3\nf 1 5 4\nf 4 5 2\n' >"$dir/seam.obj"
+expect 'a T-junction is a warning, with its vertex and edge' 1 '"t_junctions":1,.*{"code":"t_junction","severity":"warning","count":1,"elements":\[{"vertex":3,"corner":2,"edge":\[0,1\],"position":\[1,0,0\]}\]}' "$nook" check --json "$dir/seam.obj"
+expect 'for people too' 1 '^      vertex 3 on edge 0-1 of triangle 0 at (1, 0, 0)$' "$nook" check "$dir/seam.obj"
+expect 'which does not decide' 0 'note: 1 T-junction: ' "$nook" check --require oriented "$dir/seam.obj"
+printf 'OFF\n0 0 0\n' >"$dir/none.off"
+expect 'no triangle meets no triangle' 1 '"consistent":true,.*"self_intersections":0,"t_junctions":0,' "$nook" check --json "$dir/none.off"
 expect 'several files: the highest status' 1 'tetra.obj' "$nook" check --json "$dir/tetra.obj" "$dir/bad.off"
 expect 'a file named by -' 0 '"verdict":"sound"' sh -c "'$nook' check --json - <'$dir/tetra.obj'"
 expect 'the digest is the same in every format' 0 "$("$nook" check --json "$dir/torus.off" | grep -o '"digest":"[0-9a-f]*"')" "$nook" check --json "$dir/torus.ply"
