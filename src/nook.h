@@ -112,14 +112,18 @@ extern "C" {
  * attributes, colors          nook_edit.attributes, nook_edit.color
  * barycentric coordinates     nook_barycentric
  * border, border edge         nook_is_border; NOOK_BORDER_EDGE
+ * bounding volume hierarchy   nook_bvh
  * bow-tie                     NOOK_NONMANIFOLD_VERTEX
  * breadth-first, rings        nook_rings (distance across edges)
  * bridge                      out of scope: a modeling tool; make triangles between the loops with nook_make_triangle
+ * capsule, sphere             nook_closest with a radius
  * centroid                    nook_geometry.centroid
  * clean                       nook_check_result.clean
+ * closest point               nook_closest
  * component                   nook_survey.components, nook_shells; tags: nook_components, nook_flood
  * concave edge                nook_geometry.concave_edges
- * consistent                  NOOK_FOLDED_EDGE is a part of it; self-intersection is to come
+ * consistent                  no self-intersection: nook_intersections
+ * containment, inside         nook_inside, nook_side_of
  * convex edge                 nook_geometry.convex_edges
  * convex hull                 nook_hull
  * convex mesh                 nook_geometry.convex, with a witness if not
@@ -152,6 +156,7 @@ extern "C" {
  * indexed structure           nook_view.G, nook_view.V; with adjacencies: O, C
  * inertia                     nook_geometry.inertia
  * inside out, outward         NOOK_INSIDE_OUT; nook_geometry.inside_out_shells
+ * intersection of triangles   nook_triangles_meet, nook_triangles_intersect
  * invisible                   color 0: nook_edit.color
  * isolated vertex (hair)      NOOK_ISOLATED_VERTEX
  * k-ring                      nook_neighborhood
@@ -170,7 +175,8 @@ extern "C" {
  * MVS                         nook_make_vertex
  * n, next                     nook_next
  * next, prev (half-edge)      nook_next_halfedge, nook_prev_halfedge; of MeshLib: nook_onext, nook_oprev
- * normal                      nook_cross; of vertices to come; which way it points: nook_facing, nook_compare_normals
+ * non-conforming adjacency    nook_t_junctions
+ * normal                      nook_normal; of vertices to come; which way it points: nook_facing, nook_compare_normals
  * ntav, nvat                  nook_ntav, nook_nvat
  * o, opposite                 nook_opposite; computed by nook_link
  * one-ring                    NOOK_VV, NOOK_VF
@@ -182,10 +188,13 @@ extern "C" {
  * origin, target; org, dest   nook_origin, nook_target
  * p, previous                 nook_prev
  * r, right                    nook_right
+ * ray                         nook_ray
  * reverse                     nook_reverse
  * s, swing                    nook_swing; nook_turn stops at borders
+ * self-intersection           nook_intersections
  * shell                       nook_shell
  * sibling                     nook_pair
+ * signed distance             nook_signed_distance
  * simple mesh                 nook_check_result.simple
  * smooth a shell              to come
  * soup                        nook_mesh_append, nook_weld
@@ -197,6 +206,7 @@ extern "C" {
  * strips                      out of scope: an order for graphics hardware
  * subdivision                 out of scope: it makes meshes finer for looks; nook_split_edge and nook_flip are its steps
  * t, triangle                 nook_triangle
+ * T-junction                  nook_t_junctions
  * T-mesh, T-patch             nook_check_result.manifold, oriented; with one loop: nook_survey.border_loops
  * trace                       nook_border_next
  * triangle flip (turn over)   NOOK_TURNED_TRIANGLE: nook_edit.no_turn
@@ -208,6 +218,7 @@ extern "C" {
  * volume                      nook_geometry.signed_volume; exact: nook_volume
  * VV VE VF EV EE EF FV FE FF  nook_related
  * watertight                  nook_check_result.watertight
+ * winding number              nook_winding; an integer: nook_inside.winding
  * winged edge                 NOOK_EV, NOOK_EF, NOOK_EE; its walk: NOOK_VE
  * zero-area triangle          NOOK_ZERO_AREA_TRIANGLE
  */

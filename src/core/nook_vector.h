@@ -28,6 +28,10 @@ static inline uint32_t nook_exponent(float x) {
     return biased < 1u ? 1u : biased > 253u ? 253u : biased;
 }
 
+/* A coordinate along axis 0, 1, 2: a point is three floats without gaps. */
+static inline float nook_along(const nook_point *p, uint32_t axis) { return (&p->x)[axis]; }
+static inline float *nook_axis(nook_point *p, uint32_t axis) { return &p->x + axis; }
+
 /* The axis, or corner of three, after another. */
 static inline uint32_t nook_after(uint32_t i) { return i == 2u ? 0 : i + 1u; }
 

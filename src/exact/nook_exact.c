@@ -6,7 +6,9 @@ static const uint32_t one = 0x3F800000u; /* the float 1 as bits */
 static uint32_t second_after(uint32_t axis) { return axis == 0 ? 2u : axis - 1u; }
 
 /* A point is three floats without gaps. */
-static inline uint32_t bits_of(const nook_point *p, uint32_t axis) { return nook_float_bits((&p->x)[axis]); }
+static inline uint32_t bits_of(const nook_point *p, uint32_t axis) {
+    return nook_float_bits(nook_along(p, axis));
+}
 
 /* A finite float without its sign is mantissa times 2^(exponent - 150), with 1 <= exponent. */
 static inline uint32_t exponent_of(uint32_t bits) {
@@ -62,7 +64,7 @@ NOOK_APART static int normals_by_floats(const nook_point *const *p, const nook_p
 #if NOOK_HAS_FPU
 static inline int cross_by_floats(nook_point b, nook_point c, uint32_t axis) {
     uint32_t u = nook_after(axis), v = second_after(axis);
-    float left = (&b.x)[u] * (&c.x)[v], right = (&c.x)[u] * (&b.x)[v];
+    float left = nook_along(&b, u) * nook_along(&c, v), right = nook_along(&c, u) * nook_along(&b, v);
     return nook_decided(left - right, 4 * 0x1p-24f, nook_abs(left) + nook_abs(right), 0);
 }
 

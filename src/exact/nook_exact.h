@@ -57,7 +57,7 @@ int nook_compare_normals(const nook_point *const p[4], const nook_point *const q
 /* A sign, if the value is beyond its error: that of rounding, relative to what was added up, and that of
  * products below the smallest normal float, which scale carries along. Else NOOK_UNDECIDED. NaN decides nothing. */
 static inline int nook_decided(float value, float relative, float magnitude, float scale) {
-    float error = relative * magnitude + 0x1p-120f * (scale + 1.0f);
+    float error = relative * magnitude + 7.52316385e-37f /* 2^-120 */ * (scale + 1.0f);
     if (value > error) return 1;
     return -value > error ? -1 : NOOK_UNDECIDED;
 }
@@ -71,7 +71,7 @@ static inline int nook_triple_sign(nook_point b, nook_point c, nook_point d) {
     float zb = nook_abs(b.z), zc = nook_abs(c.z), zd = nook_abs(d.z);
     float most = (nook_abs(bc) + nook_abs(cb)) * zd + (nook_abs(cd) + nook_abs(dc)) * zb +
                  (nook_abs(db) + nook_abs(bd)) * zc;
-    return nook_decided((bc - cb) * d.z + (cd - dc) * b.z + (db - bd) * c.z, 8 * 0x1p-24f, most,
+    return nook_decided((bc - cb) * d.z + (cd - dc) * b.z + (db - bd) * c.z, 4.76837158e-7f /* 2^-21 */, most,
                         zb + zc + zd);
 #else
     (void)b, (void)c, (void)d;

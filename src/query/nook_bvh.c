@@ -43,7 +43,10 @@ static nook_status refuse(const nook_bvh_state *s, nook_status status, nook_kind
     return status;
 }
 
+/* No extent yet, of points and of keys. */
 static void nothing(nook_bvh_state *s) {
+    uint32_t axis;
+    for (axis = 0; axis < 3u; axis++) s->least[axis] = KEY_MOST, s->most[axis] = 0;
     s->low = nook_make(0x1p32f, 0x1p32f, 0x1p32f);
     s->high = nook_make(-0x1p32f, -0x1p32f, -0x1p32f);
 }
@@ -53,6 +56,9 @@ static void widen(nook_bvh_state *s, nook_point low, nook_point high) {
     s->high = nook_high(s->high, high);
 }
 
+/* Whether a coordinate is finite and in range, by its bits. */
+static inline bool is_good(float x) { return (nook_float_bits(x) & 0x7FFFFFFFu) <= 0x4E800000u; }
+
 /* Whether triangle t can be used, and place t of the order. */
 static nook_status look_at(nook_bvh_state *s, uint32_t t) {
     const nook_view *m = &s->bvh->view;
@@ -60,10 +66,10 @@ static nook_status look_at(nook_bvh_state *s, uint32_t t) {
     nook_point low, high;
     for (i = 0; i < 3u; i++) {
         uint32_t v = m->V[3u * t + i];
-        nook_status status;
+        const nook_point *p = &m->G[v];
         if (v >= m->nv) return refuse(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_CORNER, 3u * t + i);
-        status = nook_point_status(m->G[v]);
-        if (status != NOOK_OK) return refuse(s, status, NOOK_AT_VERTEX, v);
+        if (is_good(p->x) && is_good(p->y) && is_good(p->z)) continue;
+        return refuse(s, nook_point_status(*p), NOOK_AT_VERTEX, v);
     }
     if (s->order != NULL) s->order[t] = nook_store(t);
     if (nook_triangle_at(s->bvh, t) >= m->nt) return refuse(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_TRIANGLE, t);
@@ -154,20 +160,23 @@ static void assign(nook_bvh_state *s, uint32_t end) {
     }
 }
 
+static inline void widen_span(uint32_t part, uint32_t *least, uint32_t *most) {
+    *least = part < *least ? part : *least;
+    *most = part > *most ? part : *most;
+}
+
 static void extent(nook_bvh_state *s, uint32_t end) {
     const uint8_t *keys = (const uint8_t *)s->boxes;
-    uint32_t axis, i;
-    for (axis = 0; axis < 3u; axis++) {
-        uint32_t least = s->at == s->from ? KEY_MOST : s->least[axis],
-                 most = s->at == s->from ? 0 : s->most[axis];
-        for (i = s->at; i < end; i++) {
-            uint32_t part = part_of(key_at(keys, i), axis);
-            least = part < least ? part : least;
-            most = part > most ? part : most;
-        }
-        s->least[axis] = least;
-        s->most[axis] = most;
+    uint32_t i, x = s->least[0], y = s->least[1], z = s->least[2], u = s->most[0], v = s->most[1],
+                w = s->most[2];
+    for (i = s->at; i < end; i++) {
+        uint32_t key = key_at(keys, i);
+        widen_span(part_of(key, 0), &x, &u);
+        widen_span(part_of(key, 1), &y, &v);
+        widen_span(part_of(key, 2), &z, &w);
     }
+    s->least[0] = x, s->least[1] = y, s->least[2] = z;
+    s->most[0] = u, s->most[1] = v, s->most[2] = w;
     s->at = end;
 }
 
@@ -203,6 +212,7 @@ static void after_extent(nook_bvh_state *s) {
         if (axis == 0 || span > most) most = span, s->axis = axis;
     }
     if (most < NARROW && !s->fresh) {
+        nothing(s);
         s->phase = MEASURE;
         s->at = s->from;
     } else if (most == 0) { /* all in one place */
@@ -254,8 +264,8 @@ static void leaves(nook_bvh_state *s, uint32_t end) {
         if ((s->at & 15u) == 0) clear_group(group);
         nook_box(&bvh->view, nook_triangle_at(bvh, s->at), &low, &high);
         for (axis = 0; axis < 3u; axis++) {
-            widen_bound(group, s->at >> 2 & 3u, axis, nook_cell(bvh, (&low.x)[axis], axis),
-                        nook_cell(bvh, (&high.x)[axis], axis));
+            widen_bound(group, s->at >> 2 & 3u, axis, nook_cell(bvh, nook_along(&low, axis), axis),
+                        nook_cell(bvh, nook_along(&high, axis), axis));
         }
     }
 }
@@ -287,6 +297,9 @@ static nook_status begin(nook_bvh_state *s, nook_bvh *bvh, nook_boxes *boxes, no
     s->where = where;
     s->end = nt;
     if (nt == 0) return refuse(s, NOOK_EMPTY_MESH, NOOK_NOWHERE, 0);
+    bvh->root = 0;
+    for (bvh->levels = 1; nook_groups_of_level(nt, bvh->levels) > 1u; bvh->levels++)
+        bvh->root += nook_groups_of_level(nt, bvh->levels);
     while ((uint32_t)4 << s->height < nt) s->height++;
     nothing(s);
     s->fresh = true;
@@ -322,6 +335,7 @@ static void after(nook_bvh_state *s) {
         break;
     case MEASURE: begin_phase(s, ASSIGN, s->from, s->to); break;
     case ASSIGN:
+        nothing(s);
         begin_phase(s, EXTENT, s->from, s->to);
         s->fresh = true;
         break;
@@ -379,18 +393,6 @@ nook_status nook_bvh_build(nook_bvh *bvh, const nook_view *view, nook_boxes *box
 }
 
 /* ---- descent -------------------------------------------------------------------------------------- */
-
-void nook_descent_begin(nook_descent *d, uint32_t nt) {
-    d->node = 0;
-    d->base = 0;
-    for (d->level = 1; nook_groups_of_level(nt, d->level) > 1u; d->level++)
-        d->base += nook_groups_of_level(nt, d->level);
-    d->base++;
-    d->level++;
-    d->entry[0] = 0;
-    d->entries = 1;
-    d->now = NOOK_UP;
-}
 
 float nook_descent_least(const nook_descent *d, float bound) {
     uint32_t least = d->now, i;

@@ -7,12 +7,12 @@
 /* ---- boxes ---------------------------------------------------------------------------------------- */
 
 static void set_axis(nook_closest *q, uint32_t axis) {
-    float a = (&q->a.x)[axis], b = (&q->b.x)[axis], slack, more;
+    float a = nook_along(&q->a, axis), b = nook_along(&q->b, axis), slack, more;
     float low = nook_in_cells(q->bvh, a < b ? a : b, axis, &slack);
     float high = nook_in_cells(q->bvh, a < b ? b : a, axis, &more);
-    (&q->low.x)[axis] = low - slack - 1.0f; /* a bound leaves out the width of its cell */
-    (&q->high.x)[axis] = high + more;
-    (&q->width.x)[axis] = q->scale / (&q->bvh->cells.x)[axis];
+    *nook_axis(&q->low, axis) = low - slack - 1.0f; /* a bound leaves out the width of its cell */
+    *nook_axis(&q->high, axis) = high + more;
+    *nook_axis(&q->width, axis) = q->scale / nook_along(&q->bvh->cells, axis);
 }
 
 /* How far the line of the segment is from some boxes, seen along an axis: there it is a line, and a box a rectangle. Its
@@ -20,13 +20,14 @@ static void set_axis(nook_closest *q, uint32_t axis) {
 static nook_lanes off_line(const nook_closest *q, const nook_boxes *g, uint32_t child, uint32_t axis) {
     uint32_t i = nook_after(axis), j = nook_after(i);
     nook_point d = nook_scaled(nook_sub(q->b, q->a), q->scale);
-    float x = (&d.x)[i], y = (&d.x)[j], length = nook_sqrt(x * x + y * y), slack, more, u, v, at;
+    float x = nook_along(&d, i), y = nook_along(&d, j), length = nook_sqrt(x * x + y * y), slack, more, u, v,
+          at;
     nook_lanes low[2], high[2], centre, half;
     if (!(length > 0)) return nook_lanes_of(-1.0f); /* a point */
-    u = y / length * (&q->width.x)[i];
-    v = -x / length * (&q->width.x)[j];
-    at = u * nook_in_cells(q->bvh, (&q->a.x)[i], i, &slack) +
-         v * nook_in_cells(q->bvh, (&q->a.x)[j], j, &more);
+    u = y / length * nook_along(&q->width, i);
+    v = -x / length * nook_along(&q->width, j);
+    at = u * nook_in_cells(q->bvh, nook_along(&q->a, i), i, &slack) +
+         v * nook_in_cells(q->bvh, nook_along(&q->a, j), j, &more);
     slack = 8.0f * (slack * nook_abs(u) + more * nook_abs(v));
     low[0] = nook_load(&g->low[i][child]), high[0] = nook_load(&g->high[i][child]) + nook_lanes_of(1.0f);
     low[1] = nook_load(&g->low[j][child]), high[1] = nook_load(&g->high[j][child]) + nook_lanes_of(1.0f);
@@ -36,25 +37,20 @@ static nook_lanes off_line(const nook_closest *q, const nook_boxes *g, uint32_t 
     return nook_magnitude(centre - nook_lanes_of(at)) - half - nook_lanes_of(slack);
 }
 
-/* How far the box of the segment is from some boxes, squared. */
-static inline nook_lanes apart(const nook_closest *q, const nook_boxes *g, uint32_t child) {
-    nook_lanes square = nook_lanes_of(0);
-    uint32_t axis;
-    for (axis = 0; axis < 3u; axis++) {
-        nook_lanes above = nook_load(&g->low[axis][child]) - nook_lanes_of((&q->high.x)[axis]);
-        nook_lanes below = nook_lanes_of((&q->low.x)[axis]) - nook_load(&g->high[axis][child]);
-        nook_lanes off =
-            nook_larger(nook_larger(above, below), nook_lanes_of(0)) * nook_lanes_of((&q->width.x)[axis]);
-        square = square + off * off;
-    }
-    return square;
+/* How far the box of the segment is from some boxes along an axis. */
+static inline nook_lanes apart(const nook_closest *q, const nook_boxes *g, uint32_t child, uint32_t axis) {
+    nook_lanes above = nook_load(&g->low[axis][child]) - nook_lanes_of(nook_along(&q->high, axis));
+    nook_lanes below = nook_lanes_of(nook_along(&q->low, axis)) - nook_load(&g->high[axis][child]);
+    return nook_larger(nook_larger(above, below), nook_lanes_of(0)) *
+           nook_lanes_of(nook_along(&q->width, axis));
 }
 
 static inline void visit_group(nook_closest *q) {
     const nook_boxes *group = nook_descent_boxes(&q->descent, q->bvh);
     uint32_t entry[4], axis, i;
     for (i = 0; i < 4u; i += NOOK_LANES) {
-        nook_lanes square = apart(q, group, i);
+        nook_lanes x = apart(q, group, i, 0), y = apart(q, group, i, 1), z = apart(q, group, i, 2);
+        nook_lanes square = x * x + y * y + z * z;
         for (axis = 0; axis < 3u && q->is_segment; axis++) {
             nook_lanes off = nook_larger(off_line(q, group, i, axis), nook_lanes_of(0));
             square = nook_larger(square, off * off);
@@ -171,16 +167,16 @@ static bool gather(const nook_closest *q, uint32_t place, some *x) {
 
 /* Which of them have boxes near enough to that of the segment. */
 static nook_flags are_near(const nook_closest *q, const some *x, nook_point d) {
-    nook_lanes square = nook_lanes_of(0), low = square, high = square;
-    uint32_t axis, k;
+    nook_lanes square = nook_lanes_of(0);
+    uint32_t axis, k, i;
     for (axis = 0; axis < 3u; axis++) {
-        float end = (&d.x)[axis];
+        float c[3][NOOK_LANES], end = nook_along(&d, axis);
+        nook_lanes low, high;
         for (k = 0; k < NOOK_LANES; k++) {
-            float a = (&x->p[k][0].x)[axis], b = (&x->p[k][1].x)[axis], c = (&x->p[k][2].x)[axis];
-            float least = a < b ? a : b, most = a < b ? b : a;
-            NOOK_SET_LANE(low, k, c < least ? c : least);
-            NOOK_SET_LANE(high, k, c > most ? c : most);
+            for (i = 0; i < 3u; i++) c[i][k] = nook_along(&x->p[k][i], axis);
         }
+        low = nook_smaller(nook_smaller(nook_lanes_at(c[0]), nook_lanes_at(c[1])), nook_lanes_at(c[2]));
+        high = nook_larger(nook_larger(nook_lanes_at(c[0]), nook_lanes_at(c[1])), nook_lanes_at(c[2]));
         low = nook_larger(low - nook_lanes_of(end > 0 ? end : 0), nook_lanes_of(end < 0 ? end : 0) - high);
         low = nook_larger(low, nook_lanes_of(0));
         square = square + low * low;
@@ -270,7 +266,7 @@ nook_status nook_closest_begin(nook_closest *q, const nook_bvh *bvh, nook_point 
     limit = (limit < NOOK_FAR ? limit : NOOK_FAR) * q->scale; /* nothing is farther */
     q->square = limit * limit;
     q->reach = (limit + q->margin) * (limit + q->margin);
-    nook_descent_begin(&q->descent, bvh->view.nt);
+    nook_descent_begin(&q->descent, bvh);
     begin_anywhere(q);
     return conclude(q, NOOK_OK);
 }

@@ -31,7 +31,14 @@ static inline uint32_t nook_entry(float least, uint32_t child) {
 }
 
 /* Above the root, which is still to be looked at. */
-void nook_descent_begin(nook_descent *d, uint32_t nt);
+static inline void nook_descent_begin(nook_descent *d, const nook_bvh *bvh) {
+    d->node = 0;
+    d->base = bvh->root + 1u;
+    d->level = (uint8_t)(bvh->levels + 1u);
+    d->entry[0] = 0;
+    d->entries = 1;
+    d->now = NOOK_UP;
+}
 
 /* On to the next node whose entry is at most limit, unless this one has not been looked at; false if there is none. */
 static inline bool nook_descent_next(nook_descent *d, uint32_t nt, uint32_t limit) {
@@ -71,20 +78,21 @@ static inline void nook_sort_entries(uint32_t *a, uint32_t *b) {
 }
 
 /* It is a group and these of its children are to be looked at (NOOK_UP: not this one), the least first. */
-static inline void nook_descent_push(nook_descent *d, uint32_t entry[4]) {
-    uint32_t n, i;
-    nook_descent_leave(d);
-    nook_sort_entries(&entry[0], &entry[1]);
-    nook_sort_entries(&entry[2], &entry[3]);
-    nook_sort_entries(&entry[0], &entry[2]);
-    nook_sort_entries(&entry[1], &entry[3]);
-    nook_sort_entries(&entry[1], &entry[2]);
-    n = d->entries;
-    for (i = 4; i-- > 0;) {
-        d->entry[n] = (uint16_t)entry[i];
-        n += entry[i] != NOOK_UP;
-    }
-    d->entries = (uint8_t)n;
+static inline void nook_descent_push(nook_descent *d, const uint32_t entry[4]) {
+    uint32_t i = entry[0], j = entry[1], k = entry[2], l = entry[3];
+    uint16_t *to = &d->entry[d->entries];
+    *to++ = NOOK_UP;
+    nook_sort_entries(&i, &j);
+    nook_sort_entries(&k, &l);
+    nook_sort_entries(&i, &k);
+    nook_sort_entries(&j, &l);
+    nook_sort_entries(&j, &k);
+    *to = (uint16_t)l, to += l != NOOK_UP;
+    *to = (uint16_t)k, to += k != NOOK_UP;
+    *to = (uint16_t)j, to += j != NOOK_UP;
+    *to = (uint16_t)i, to += i != NOOK_UP;
+    d->entries = (uint8_t)(to - d->entry);
+    d->now = NOOK_UP;
 }
 
 /* Enough has been found. */
@@ -101,13 +109,11 @@ static inline uint32_t nook_triangle_at(const nook_bvh *bvh, uint32_t place) {
 /* Its corners' points; false where order or V name nothing that there is. */
 static inline bool nook_points_of(const nook_bvh *bvh, uint32_t t, const nook_point *p[3]) {
     const nook_view *m = &bvh->view;
-    uint32_t i;
+    uint32_t a, b, c;
     if (t >= m->nt) return false;
-    for (i = 0; i < 3u; i++) {
-        uint32_t v = m->V[3u * t + i];
-        if (v >= m->nv) return false;
-        p[i] = &m->G[v];
-    }
+    a = m->V[3u * t], b = m->V[3u * t + 1u], c = m->V[3u * t + 2u];
+    if (a >= m->nv || b >= m->nv || c >= m->nv) return false;
+    p[0] = &m->G[a], p[1] = &m->G[b], p[2] = &m->G[c];
     return true;
 }
 
@@ -131,7 +137,7 @@ static inline void nook_box(const nook_view *m, uint32_t t, nook_point *low, noo
  * cells. */
 #define NOOK_LAST_CELL ((1u << NOOK_BOUND_BITS) - 1u)
 static inline uint32_t nook_cell(const nook_bvh *bvh, float x, uint32_t axis) {
-    float cell = (x - (&bvh->origin.x)[axis]) * (&bvh->cells.x)[axis];
+    float cell = (x - nook_along(&bvh->origin, axis)) * nook_along(&bvh->cells, axis);
     if (!(cell > 0)) return 0;
     return cell < (float)NOOK_LAST_CELL ? (uint32_t)cell : NOOK_LAST_CELL;
 }
@@ -139,8 +145,8 @@ static inline uint32_t nook_cell(const nook_bvh *bvh, float x, uint32_t axis) {
 /* The same as a number of cells that is not cut off, and how far that may be off: by rounding here, in the bounds, and in
  * a product and a difference with it. */
 static inline float nook_in_cells(const nook_bvh *bvh, float x, uint32_t axis, float *slack) {
-    float cell = (x - (&bvh->origin.x)[axis]) * (&bvh->cells.x)[axis];
-    *slack = ((float)NOOK_LAST_CELL + (cell < 0 ? -cell : cell)) * 0x1p-20f;
+    float cell = (x - nook_along(&bvh->origin, axis)) * nook_along(&bvh->cells, axis);
+    *slack = ((float)NOOK_LAST_CELL + (cell < 0 ? -cell : cell)) * 9.53674316e-7f /* 2^-20 */;
     return cell;
 }
 

@@ -4,8 +4,6 @@
 #include "exact/nook_exact.h"
 #include "query/nook_lanes.h"
 
-static float at(const nook_point *p, uint32_t axis) { return (&p->x)[axis]; }
-
 /* ---- boxes ---------------------------------------------------------------------------------------- */
 
 /* The boxes that may hold a triangle that the line crosses, or the point. */
@@ -30,7 +28,7 @@ typedef struct range {
 } range;
 
 static range range_of(const nook_point *const p[3], uint32_t axis) {
-    float a = at(p[0], axis), b = at(p[1], axis), c = at(p[2], axis);
+    float a = nook_along(p[0], axis), b = nook_along(p[1], axis), c = nook_along(p[2], axis);
     range r = {a < b ? a : b, a > b ? a : b};
     if (c < r.low) r.low = c;
     if (c > r.high) r.high = c;
@@ -55,8 +53,8 @@ static int side_of(const nook_inside *q, const nook_point *a, const nook_point *
     uint32_t u = nook_after(q->axis), v = nook_after(u);
     int sign = nook_orient2d(a, b, &q->point, q->axis);
     if (sign != 0) return sign;
-    if (at(a, v) != at(b, v)) return at(a, v) > at(b, v) ? 1 : -1;
-    return (at(b, u) > at(a, u)) - (at(b, u) < at(a, u));
+    if (nook_along(a, v) != nook_along(b, v)) return nook_along(a, v) > nook_along(b, v) ? 1 : -1;
+    return (nook_along(b, u) > nook_along(a, u)) - (nook_along(b, u) < nook_along(a, u));
 }
 
 /* +1 if the line upward leaves through the triangle, -1 if it enters, 0 if it passes by. */
@@ -69,10 +67,11 @@ static int turn_of(const nook_inside *q, const nook_point *const p[3]) {
 static void look_at(nook_inside *q, uint32_t t, const nook_point *const p[3]) {
     uint32_t u = nook_after(q->axis), v = nook_after(u);
     range x = range_of(p, q->axis);
-    float height = at(&q->point, q->axis);
+    float height = nook_along(&q->point, q->axis);
     bool level = holds(x, height), ahead;
     int turn;
-    if (!holds(range_of(p, u), at(&q->point, u)) || !holds(range_of(p, v), at(&q->point, v))) return;
+    if (!holds(range_of(p, u), nook_along(&q->point, u)) || !holds(range_of(p, v), nook_along(&q->point, v)))
+        return;
     if (!level && (q->sign > 0) == (x.high < height)) return;
     turn = turn_of(q, p);
     if (!level) {
@@ -105,7 +104,7 @@ static bool visit_leaf(nook_inside *q) {
 static void set_line(nook_inside *q) {
     uint32_t axis, least = NOOK_NONE;
     for (axis = 0; axis < 3u; axis++) {
-        uint32_t cell = nook_cell(q->bvh, at(&q->point, axis), axis), rest = NOOK_LAST_CELL - cell;
+        uint32_t cell = nook_cell(q->bvh, nook_along(&q->point, axis), axis), rest = NOOK_LAST_CELL - cell;
         q->cell[axis] = cell;
         if (rest < least) least = rest, q->axis = axis, q->sign = 1;
         if (cell < least) least = cell, q->axis = axis, q->sign = -1;
@@ -122,7 +121,7 @@ nook_status nook_inside_begin(nook_inside *q, const nook_bvh *bvh, nook_point po
     q->bvh = bvh;
     q->point = point;
     set_line(q);
-    nook_descent_begin(&q->descent, bvh->view.nt);
+    nook_descent_begin(&q->descent, bvh);
     return NOOK_OK;
 }
 

@@ -29,6 +29,8 @@ typedef struct nook_inside {
 /* The line goes along the axis on which the point is nearest to the side of the mesh's box.
  *   NOOK_NULL_ARGUMENT, NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE */
 nook_status nook_inside_begin(nook_inside *inside, const nook_bvh *bvh, nook_point point);
+/* Statuses as of nook_ray_step. Steps: 1 a node, at most nt / 3 + 10. One unit is at most 1,600 instructions on M4F and 10,000 on M0
+ * where floats and integers decide. */
 nook_status nook_inside_step(nook_inside *inside, uint32_t *units);
 
 /* +1 outside, 0 on the surface, -1 inside: by the parity of crossings. */
@@ -51,7 +53,7 @@ typedef struct nook_winding {
     uint32_t at;
 } nook_winding;
 
-/* The view stays until the end. Steps: nt. */
+/* The view stays until the end. Statuses as above. Steps: nt. Within 1e-6 for meshes larger than 1e-15 and points off the surface. */
 nook_status nook_winding_begin(nook_winding *winding, const nook_view *view, nook_point point);
 nook_status nook_winding_step(nook_winding *winding, uint32_t *units);
 

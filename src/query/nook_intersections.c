@@ -9,22 +9,25 @@ static void set_cells(const nook_bvh *bvh, nook_point low, nook_point high, nook
                       nook_bound to[3]) {
     uint32_t axis;
     for (axis = 0; axis < 3u; axis++) {
-        from[axis] = (nook_bound)nook_cell(bvh, (&low.x)[axis], axis);
-        to[axis] = (nook_bound)nook_cell(bvh, (&high.x)[axis], axis);
+        from[axis] = (nook_bound)nook_cell(bvh, nook_along(&low, axis), axis);
+        to[axis] = (nook_bound)nook_cell(bvh, nook_along(&high, axis), axis);
     }
 }
 
 /* Which children's boxes overlap one in cells. */
+static inline nook_flags overlap(const nook_boxes *g, uint32_t child, uint32_t axis, const nook_bound low[3],
+                                 const nook_bound high[3]) {
+    return (nook_load_cells(&g->low[axis][child]) <= high[axis]) &
+           (nook_load_cells(&g->high[axis][child]) >= low[axis]);
+}
+
 static inline void visit_group(nook_descent *d, const nook_bvh *bvh, const nook_bound low[3],
                                const nook_bound high[3]) {
     const nook_boxes *g = nook_descent_boxes(d, bvh);
-    uint32_t entry[4], axis, i;
+    uint32_t entry[4], i;
     for (i = 0; i < 4u; i += NOOK_LANES) {
-        nook_flags some = nook_load_cells(&g->low[0][i]) <= high[0];
-        for (axis = 0; axis < 3u; axis++) {
-            some = some & (nook_load_cells(&g->low[axis][i]) <= high[axis]);
-            some = some & (nook_load_cells(&g->high[axis][i]) >= low[axis]);
-        }
+        nook_flags some =
+            overlap(g, i, 0, low, high) & overlap(g, i, 1, low, high) & overlap(g, i, 2, low, high);
         nook_set_entries(entry, i, some, nook_lanes_of(0));
     }
     nook_descent_push(d, entry);
@@ -51,12 +54,12 @@ static void begin_leaf(nook_intersections *q) {
         q->low[axis] = group->low[axis][q->leaf & 3u];
         q->high[axis] = group->high[axis][q->leaf & 3u];
     }
-    nook_descent_begin(&q->descent, q->bvh->view.nt);
+    nook_descent_begin(&q->descent, q->bvh);
 }
 
 /* The boxes of some triangles side by side. */
 typedef struct bundle {
-    nook_lanes low[3], high[3];
+    float low[3][NOOK_LANES], high[3][NOOK_LANES];
 } bundle;
 
 static bool box_at(const nook_bvh *bvh, uint32_t place, nook_point *low, nook_point *high) {
@@ -70,10 +73,12 @@ static bool box_at(const nook_bvh *bvh, uint32_t place, nook_point *low, nook_po
 
 /* Which triangles of a leaf, as bits, have boxes that overlap one. */
 static uint32_t overlapping(const bundle *b, nook_point low, nook_point high) {
-    nook_flags some = (b->low[0] <= nook_lanes_of(high.x)) & (b->high[0] >= nook_lanes_of(low.x)) &
-                      (b->low[1] <= nook_lanes_of(high.y)) & (b->high[1] >= nook_lanes_of(low.y)) &
-                      (b->low[2] <= nook_lanes_of(high.z)) & (b->high[2] >= nook_lanes_of(low.z));
-    uint32_t bits = 0, k;
+    nook_flags some = nook_lanes_at(b->low[0]) <= nook_lanes_of(high.x);
+    uint32_t bits = 0, axis, k;
+    for (axis = 0; axis < 3u; axis++) {
+        some = some & (nook_lanes_at(b->low[axis]) <= nook_lanes_of(nook_along(&high, axis)));
+        some = some & (nook_lanes_at(b->high[axis]) >= nook_lanes_of(nook_along(&low, axis)));
+    }
     for (k = 0; k < NOOK_LANES; k++) bits |= (uint32_t)nook_flag(some, k) << k;
     return bits;
 }
@@ -91,8 +96,8 @@ NOOK_APART static bool find_pairs(nook_intersections *q) {
         for (k = 0; k < NOOK_LANES; k++) {
             if (!box_at(q->bvh, second + j + k, &a, &b)) return false;
             for (axis = 0; axis < 3u; axis++) {
-                NOOK_SET_LANE(boxes.low[axis], k, (&a.x)[axis]);
-                NOOK_SET_LANE(boxes.high[axis], k, (&b.x)[axis]);
+                boxes.low[axis][k] = nook_along(&a, axis);
+                boxes.high[axis][k] = nook_along(&b, axis);
             }
         }
         for (i = 0; i < 4u; i++) q->pairs |= overlapping(&boxes, low[i], high[i]) << (4u * i + j);
@@ -176,7 +181,7 @@ static bool begin_edge(nook_t_junctions *q) {
     high = nook_high(m->G[v], m->G[w]);
     high = nook_make(high.x + more.x, high.y + more.y, high.z + more.z);
     set_cells(q->bvh, low, high, q->low, q->high);
-    nook_descent_begin(&q->descent, m->nt);
+    nook_descent_begin(&q->descent, q->bvh);
     return true;
 }
 

@@ -14,14 +14,14 @@ static inline nook_lanes nook_lanes_of(float x) {
 }
 
 static inline nook_lanes nook_larger(nook_lanes a, nook_lanes b) {
-    nook_lanes c;
+    nook_lanes c = a;
     uint32_t k;
     for (k = 0; k < NOOK_LANES; k++) c[k] = a[k] > b[k] ? a[k] : b[k];
     return c;
 }
 
 static inline nook_lanes nook_smaller(nook_lanes a, nook_lanes b) {
-    nook_lanes c;
+    nook_lanes c = a;
     uint32_t k;
     for (k = 0; k < NOOK_LANES; k++) c[k] = a[k] < b[k] ? a[k] : b[k];
     return c;
@@ -54,7 +54,6 @@ static inline void nook_set_entries(uint32_t *entry, uint32_t child, nook_flags 
 }
 
 static inline bool nook_flag(nook_flags flags, uint32_t k) { return flags[k] != 0; }
-#define NOOK_SET_LANE(lanes, k, x) ((lanes)[k] = (x))
 #else
 typedef float nook_lanes;
 typedef int nook_flags;
@@ -69,7 +68,13 @@ static inline void nook_set_entries(uint32_t *entry, uint32_t child, nook_flags 
     entry[child] = some ? nook_entry(least, child) : NOOK_UP;
 }
 static inline bool nook_flag(nook_flags flags, uint32_t k) { return flags != 0 && k == 0; }
-#define NOOK_SET_LANE(lanes, k, x) ((lanes) = (x))
 #endif
+
+/* From memory, as many as there are lanes. */
+static inline nook_lanes nook_lanes_at(const float *from) {
+    nook_lanes a;
+    memcpy(&a, from, sizeof a);
+    return a;
+}
 
 #endif

@@ -61,10 +61,10 @@ static bool edge_parts(corners a, corners b, uint32_t axis) {
 static bool interval_parts(corners a, corners b, uint32_t axis) {
     float least[2], most[2];
     uint32_t i;
-    least[0] = most[0] = (&a[0]->x)[axis];
-    least[1] = most[1] = (&b[0]->x)[axis];
+    least[0] = most[0] = nook_along(a[0], axis);
+    least[1] = most[1] = nook_along(b[0], axis);
     for (i = 1; i < 3u; i++) {
-        float x = (&a[i]->x)[axis], y = (&b[i]->x)[axis];
+        float x = nook_along(a[i], axis), y = nook_along(b[i], axis);
         least[0] = x < least[0] ? x : least[0];
         most[0] = x > most[0] ? x : most[0];
         least[1] = y < least[1] ? y : least[1];

@@ -12,23 +12,24 @@ static inline nook_point toward(const nook_ray *r) { return nook_scaled(r->direc
 /* Along one axis the ray is at cell c at t = (c - origin) inverse; near and far are that origin moved by as much as
  * rounding may be off, and far by the width of a cell, which its bound leaves out. */
 static void set_axis(nook_ray *r, uint32_t axis) {
-    float slack, origin = nook_in_cells(r->bvh, (&r->origin.x)[axis], axis, &slack);
-    float d = (&r->direction.x)[axis] * r->unit, cells = (&r->bvh->cells.x)[axis];
-    if (d != 0 && d < 0x1p-60f && d > -0x1p-60f) { /* so slow that its cells could underflow: never refused */
-        (&r->inverse.x)[axis] = 1.0f;
-        (&r->near.x)[axis] = 0x1p126f;
-        (&r->far.x)[axis] = -0x1p126f;
+    float slack, origin = nook_in_cells(r->bvh, nook_along(&r->origin, axis), axis, &slack);
+    float d = nook_along(&r->direction, axis) * r->unit, cells = nook_along(&r->bvh->cells, axis);
+    if (d != 0 && nook_abs(d) < 0x1p-60f) { /* so slow that its cells could underflow: never refused */
+        *nook_axis(&r->inverse, axis) = 1.0f;
+        *nook_axis(&r->near, axis) = 0x1p126f;
+        *nook_axis(&r->far, axis) = -0x1p126f;
         return;
     }
-    (&r->inverse.x)[axis] = 1.0f / (d * cells);
-    (&r->near.x)[axis] = origin + slack;
-    (&r->far.x)[axis] = origin - 1.0f - slack;
+    *nook_axis(&r->inverse, axis) = 1.0f / (d * cells);
+    *nook_axis(&r->near, axis) = origin + slack;
+    *nook_axis(&r->far, axis) = origin - 1.0f - slack;
 }
 
 /* The part of the ray, from near to far, between the bounds of some children along one axis. */
 static inline void cut(const nook_ray *r, const nook_boxes *g, uint32_t child, uint32_t axis,
                        nook_lanes *near, nook_lanes *far) {
-    float inverse = (&r->inverse.x)[axis], low = (&r->near.x)[axis], high = (&r->far.x)[axis];
+    float inverse = nook_along(&r->inverse, axis), low = nook_along(&r->near, axis),
+          high = nook_along(&r->far, axis);
     bool back = inverse < 0;
     nook_lanes a = nook_load(&g->low[axis][child]), b = nook_load(&g->high[axis][child]);
     a = (a - nook_lanes_of(low)) * nook_lanes_of(inverse);
@@ -52,40 +53,62 @@ static inline void visit_group(nook_ray *r) {
 
 /* ---- triangles ------------------------------------------------------------------------------------ */
 
-/* How the ray's line passes the three edges of a triangle, as signs: all three of one sign where it goes through. */
+/* How the ray's line passes the three edges of a triangle: all on one side where it goes through. */
 typedef struct sides {
     int edge[3];
 } sides;
 
 static bool differ(int a, int b) { return a * b < 0; }
 
-/* The corners of some triangles from the origin: x, y, z of each. */
-typedef struct bundle {
-    nook_lanes x[3], y[3], z[3];
-} bundle;
+/* A corner of some triangles, first in memory, then from the origin of the ray. */
+typedef struct corner {
+    float x[NOOK_LANES], y[NOOK_LANES], z[NOOK_LANES];
+} corner;
 
-static inline nook_lanes passing(nook_point d, const bundle *p, uint32_t i, uint32_t j) {
-    return (p->y[i] * p->z[j] - p->z[i] * p->y[j]) * nook_lanes_of(d.x) +
-           (p->z[i] * p->x[j] - p->x[i] * p->z[j]) * nook_lanes_of(d.y) +
-           (p->x[i] * p->y[j] - p->y[i] * p->x[j]) * nook_lanes_of(d.z);
+typedef struct vectors {
+    nook_lanes x, y, z;
+} vectors;
+
+static inline void set_corner(corner *c, uint32_t k, const nook_point *p) {
+    c->x[k] = p->x;
+    c->y[k] = p->y;
+    c->z[k] = p->z;
 }
 
-static inline nook_lanes largest(const bundle *p, uint32_t i) {
-    return nook_larger(nook_larger(nook_magnitude(p->x[i]), nook_magnitude(p->y[i])),
-                       nook_magnitude(p->z[i]));
+static inline vectors from_origin(const corner *c, nook_point o) {
+    vectors v = {nook_lanes_at(c->x) - nook_lanes_of(o.x), nook_lanes_at(c->y) - nook_lanes_of(o.y),
+                 nook_lanes_at(c->z) - nook_lanes_of(o.z)};
+    return v;
 }
 
-/* Which of them the line clearly misses: two edges are passed on different sides, by more than rounding can do. That
- * settles most; the exact signs settle the rest. */
-static inline nook_flags misses(nook_point d, const bundle *p) {
-    nook_lanes ab = passing(d, p, 0, 1), bc = passing(d, p, 1, 2), ca = passing(d, p, 2, 0);
-    nook_lanes far = nook_larger(nook_larger(largest(p, 0), largest(p, 1)), largest(p, 2));
+static inline nook_lanes passing(nook_point d, vectors a, vectors b) {
+    return (a.y * b.z - a.z * b.y) * nook_lanes_of(d.x) + (a.z * b.x - a.x * b.z) * nook_lanes_of(d.y) +
+           (a.x * b.y - a.y * b.x) * nook_lanes_of(d.z);
+}
+
+static inline nook_lanes largest(vectors a) {
+    return nook_larger(nook_larger(nook_magnitude(a.x), nook_magnitude(a.y)), nook_magnitude(a.z));
+}
+
+/* How the line passes some triangles: past, where two edges are on different sides by more than rounding can do; out or in
+ * through, where all are on one. That settles nearly all; the exact signs settle the rest. */
+typedef struct judgement {
+    nook_flags past, out, in;
+} judgement;
+
+static inline judgement judge(const nook_ray *r, const corner p[3]) {
+    vectors a = from_origin(&p[0], r->origin), b = from_origin(&p[1], r->origin),
+            c = from_origin(&p[2], r->origin);
+    nook_point d = toward(r);
+    nook_lanes ab = passing(d, a, b), bc = passing(d, b, c), ca = passing(d, c, a);
+    nook_lanes far = nook_larger(nook_larger(largest(a), largest(b)), largest(c));
     nook_lanes margin = far * far * nook_lanes_of(0x1p-17f) + nook_lanes_of(0x1p-120f);
     nook_lanes least = nook_smaller(nook_smaller(ab, bc), ca), most = nook_larger(nook_larger(ab, bc), ca);
-    return (least < -margin) & (most > margin);
+    judgement j = {(least < -margin) & (most > margin), least > margin, most < -margin};
+    return j;
 }
 
-/* Whether the line goes through the triangle or touches it. In one plane with it, all signs are 0. */
+/* Whether the line goes through the triangle or touches it, exactly. In one plane with it, all signs are 0. */
 static bool meets(const nook_ray *r, const nook_point *const p[3], sides *s) {
     s->edge[0] = nook_passing(&r->origin, &r->direction, p[0], p[1]);
     s->edge[1] = nook_passing(&r->origin, &r->direction, p[1], p[2]);
@@ -96,7 +119,8 @@ static bool meets(const nook_ray *r, const nook_point *const p[3], sides *s) {
 
 /* t of a point on the ray. */
 static float t_of(const nook_ray *r, const nook_point *p) {
-    return ((&p->x)[r->axis] - (&r->origin.x)[r->axis]) / ((&r->direction.x)[r->axis] * r->unit);
+    return (nook_along(p, r->axis) - nook_along(&r->origin, r->axis)) /
+           (nook_along(&r->direction, r->axis) * r->unit);
 }
 
 /* Twice the area of the triangle as a vector, at the corner that faces its longest edge, which comes first then: the two
@@ -179,8 +203,8 @@ static void cross(const nook_ray *r, const flat *f, uint32_t i, span *s) {
     float x, y, t = t_of(r, a);
     nook_point n = nook_cross(nook_sub(*a, r->origin), toward(r)),
                m = nook_cross(nook_sub(*b, r->origin), toward(r));
-    x = (&n.x)[f->axis];
-    y = (&m.x)[f->axis];
+    x = nook_along(&n, f->axis);
+    y = nook_along(&m, f->axis);
     if (x != y) t += (t_of(r, b) - t) * (x / (x - y));
     take(s, t > 0 ? t : 0, -sign);
 }
@@ -193,10 +217,10 @@ static bool meets_in_plane(const nook_ray *r, const nook_point *const p[3], floa
     /* Along the two axes in which the ray does not become a point. */
     if (!see_along(r, &f, nook_after(r->axis))) (void)see_along(r, &f, nook_after(nook_after(r->axis)));
     for (i = 0; i < 3u; i++) {
-        int sign = (&p[i]->x)[r->axis] > (&r->origin.x)[r->axis]   ? 1
-                   : (&p[i]->x)[r->axis] < (&r->origin.x)[r->axis] ? -1
-                                                                   : 0;
-        if ((&r->direction.x)[r->axis] < 0) sign = -sign;
+        int sign = nook_along(p[i], r->axis) > nook_along(&r->origin, r->axis)   ? 1
+                   : nook_along(p[i], r->axis) < nook_along(&r->origin, r->axis) ? -1
+                                                                                 : 0;
+        if (nook_along(&r->direction, r->axis) < 0) sign = -sign;
         if (f.side[i] == 0) take(&s, t_of(r, p[i]), sign);
         if (differ(f.side[i], f.side[nook_after(i)])) cross(r, &f, i, &s);
     }
@@ -217,17 +241,24 @@ static void hit(nook_ray *r, uint32_t t, float at) {
     r->reach = beyond(r, at);
 }
 
+/* The line goes through: turn is the sign of the edges. */
+static void go_through(nook_ray *r, uint32_t t, const nook_point *const p[3], int turn) {
+    float at;
+    if (!is_ahead(r, p, turn)) return;
+    at = t_through(r, p);
+    hit(r, t, at > 0 ? at : 0);
+}
+
 static void look_at(nook_ray *r, uint32_t t, const nook_point *const p[3]) {
     sides s;
     int turn;
     float at;
     if (!meets(r, p, &s)) return;
     turn = s.edge[0] + s.edge[1] + s.edge[2];
-    if (turn == 0) {
-        if (meets_in_plane(r, p, &at)) hit(r, t, at);
-    } else if (is_ahead(r, p, turn)) {
-        at = t_through(r, p);
-        hit(r, t, at > 0 ? at : 0);
+    if (turn != 0) {
+        go_through(r, t, p, turn);
+    } else if (meets_in_plane(r, p, &at)) {
+        hit(r, t, at);
     }
 }
 
@@ -251,24 +282,25 @@ static void count(nook_ray *r, const nook_point *const p[3]) {
 
 /* Some triangles from a place on: those that there are and that are not missed for certain are looked at. */
 static inline bool visit_some(nook_ray *r, uint32_t place) {
-    uint32_t t[NOOK_LANES], last = r->bvh->view.nt - 1u, k, i;
+    uint32_t t[NOOK_LANES], last = r->bvh->view.nt - 1u, k;
     const nook_point *p[NOOK_LANES][3];
-    nook_flags missed = {0};
-    bundle x;
+    judgement j;
+    corner c[3];
+    memset(&j, 0, sizeof j);
     for (k = 0; k < NOOK_LANES; k++) {
         t[k] = nook_triangle_at(r->bvh, place + k < last ? place + k : last);
         if (!nook_points_of(r->bvh, t[k], p[k])) return false;
-        for (i = 0; i < 3u && NOOK_HAS_FPU; i++) {
-            NOOK_SET_LANE(x.x[i], k, p[k][i]->x - r->origin.x);
-            NOOK_SET_LANE(x.y[i], k, p[k][i]->y - r->origin.y);
-            NOOK_SET_LANE(x.z[i], k, p[k][i]->z - r->origin.z);
-        }
+        set_corner(&c[0], k, p[k][0]);
+        set_corner(&c[1], k, p[k][1]);
+        set_corner(&c[2], k, p[k][2]);
     }
-    if (NOOK_HAS_FPU) missed = misses(toward(r), &x);
+    if (NOOK_HAS_FPU) j = judge(r, c);
     for (k = 0; k < NOOK_LANES && place + k <= last; k++) {
-        if (nook_flag(missed, k)) continue;
+        if (nook_flag(j.past, k)) continue;
         if (r->kind == NOOK_CROSSINGS) {
             count(r, p[k]);
+        } else if (nook_flag(j.out, k) || nook_flag(j.in, k)) {
+            go_through(r, t[k], p[k], nook_flag(j.out, k) ? 1 : -1);
         } else {
             look_at(r, t[k], p[k]);
         }
@@ -310,7 +342,7 @@ nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, 
     if (status != NOOK_OK) return status;
     if (nook_point_status(origin) != NOOK_OK) return nook_point_status(origin);
     if (!is_direction(direction)) return NOOK_NOT_FINITE;
-    memset(r, 0, sizeof *r);
+    memset(r, 0, offsetof(nook_ray, descent));
     r->triangle = NOOK_NONE;
     r->bvh = bvh;
     r->kind = kind;
@@ -321,7 +353,7 @@ nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, 
     r->t = t_max;
     r->best = t_max / r->unit;
     r->reach = beyond(r, r->best);
-    nook_descent_begin(&r->descent, bvh->view.nt);
+    nook_descent_begin(&r->descent, bvh);
     return NOOK_OK;
 }
 

@@ -270,8 +270,8 @@ static void survey_only(void) {
 /* ---- queries ----------------------------------------------------------------------------------------- */
 
 static void add(uint32_t a, uint32_t b, uint32_t c) {
-    nook_index *V = &mesh.V[3u * mesh.nt++];
-    V[0] = (nook_index)a, V[1] = (nook_index)b, V[2] = (nook_index)c;
+    uint32_t i = 3u * mesh.nt++;
+    mesh.V[i] = (nook_index)a, mesh.V[i + 1u] = (nook_index)b, mesh.V[i + 2u] = (nook_index)c;
 }
 
 /* The size of a robot's link, 300 triangles, in metres: a lathe with steps and a groove. */
