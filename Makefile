@@ -24,7 +24,7 @@ has = $(shell command -v $(1) 2>/dev/null)
 HOSTS := cc16 cc32 $(if $(call has,clang),clang16 clang32)
 BOARDS := $(notdir $(patsubst %/board.mk,%,$(wildcard boards/*/board.mk)))
 
-.PHONY: all run test test-boards test-host readme sanitize prove fuzz costs size stack symbols lint format format-check tools help clean bench
+.PHONY: all run test test-boards test-host readme sanitize prove fuzz costs size stack symbols lint format format-check tools help clean bench bench-query
 .DELETE_ON_ERROR:
 all: build/nook build/nook16 build/cc32/libnook.a build/cc16/libnook.a ## build program and library, 32- and 16-bit indices
 
@@ -50,10 +50,10 @@ build/$(1)/prove_files: $(patsubst %.c,build/$(1)/%.o,tests/prove/files.c tests/
 		$(filter-out host_sim/main.c,$(PROGRAM))) build/$(1)/libnook.a
 	@echo "$$@"
 	$(Q)$(2) $(4) $$^ -lm -o $$@
-build/$(1)/prove_%: build/$(1)/tests/prove/%.o $(patsubst %.c,build/$(1)/%.o,tests/prove/prove.c tests/big.c tests/check.c port/posix/nook_port.c) \
-		build/$(1)/libnook.a
+build/$(1)/prove_%: build/$(1)/tests/prove/%.o $(patsubst %.c,build/$(1)/%.o,tests/prove/prove.c tests/prove/solids.c tests/prove/weights.c \
+		tests/big.c tests/check.c port/posix/nook_port.c) build/$(1)/libnook.a
 	@echo "$$@"
-	$(Q)$(2) $(4) $$^ -o $$@
+	$(Q)$(2) $(4) $$^ -lm -o $$@
 endef
 # Warnings are errors in `lint` only: a newer compiler than ours need not stop anybody.
 SANITIZERS := -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
@@ -162,9 +162,12 @@ sanitize: $(foreach v,$(SANITIZED),build/$(v)/tests.elf build/$(v)/nook) ## test
 
 # ---- proofs by exhaustion --------------------------------------------------------------------------
 PROVE := cc16/prove_exact soft16/prove_exact cc16/prove_worlds cc32/prove_worlds cc16/prove_tables asan16/prove_tables asan16/prove_faults \
-	cc16/prove_faults cc16/prove_edits cc16/prove_spoiled asan16/prove_spoiled cc32/prove_files asan16/prove_files
-PROVE_RUNS := $(foreach p,$(filter-out %_tables %_files asan16/prove_spoiled,$(PROVE)),"build/$(p)") \
-	$(foreach p,$(filter %_files,$(PROVE)),"build/$(p) $(MESHES)") "build/asan16/prove_spoiled small" "build/cc16/prove_tables large" "build/asan16/prove_tables small" \
+	cc16/prove_faults cc16/prove_edits cc16/prove_spoiled asan16/prove_spoiled cc16/prove_hull cc32/prove_files asan16/prove_files \
+	cc16/prove_pairs cc16/prove_queries cc16/prove_nearest cc16/prove_trees cc32/prove_trees asan16/prove_queries asan16/prove_nearest \
+	asan16/prove_trees
+PROVE_SMALL := $(addprefix asan16/prove_,spoiled queries nearest trees)
+PROVE_RUNS := $(foreach p,$(filter-out %_tables %_files $(PROVE_SMALL),$(PROVE)),"build/$(p)") \
+	$(foreach p,$(filter %_files,$(PROVE)),"build/$(p) $(MESHES)") $(foreach p,$(PROVE_SMALL),"build/$(p) small") "build/cc16/prove_tables large" "build/asan16/prove_tables small" \
 	"build/cc16/prove_tables pairs"
 GUARDS := python3 tests/tools/guards.py $(CROSS) mps2-an386 -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 $(FLAGS) -DTICK=400
 MUTANTS ?= 40
@@ -219,8 +222,13 @@ format: ## lay out all C files
 format-check: ## fail if `make format` would change anything
 	clang-format --dry-run --Werror $(C_FILES)
 
-bench: ## nook_link beside Draco's CornerTable, exact signs by kind of case; needs g++ and libdraco-dev
+bench: bench-query ## and nook_link beside Draco's CornerTable, exact signs by kind of case; needs g++ and libdraco-dev
 	sh tests/bench/run.sh
+
+include tests/bench/query.mk
+BENCH ?=
+bench-query: build/query/bench peers-missing ## queries beside Embree, Bullet, ODE, FCL, CGAL; BENCH="only=rays:pipe20k x.stl"
+	build/query/bench $(BENCH)
 
 tools: ## say, and as root on Debian install, what boards and lint need
 	sh tests/tools/tools.sh

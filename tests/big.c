@@ -158,6 +158,21 @@ int big_orient3d(const nook_point p[4]) {
     return sign_of_big(&sum);
 }
 
+int big_determinant(const nook_point p[6]) {
+    uint32_t axis, i;
+    for (axis = 0; axis < 3u; axis++) {
+        uint32_t lowest = lowest_of(p, 6, axis);
+        for (i = 0; i < 3u; i++) {
+            take_difference(&m[i][axis], coordinate(&p[2u * i + 1u], axis), coordinate(&p[2u * i], axis),
+                            lowest);
+        }
+    }
+    sum.n = 0;
+    sum.negative = false;
+    add_determinant(&sum, m);
+    return sign_of_big(&sum);
+}
+
 int big_orient2d(const nook_point p[3], uint32_t axis) {
     uint32_t u = (axis + 1u) % 3u, v = (axis + 2u) % 3u, i;
     for (i = 0; i < 2u; i++) {

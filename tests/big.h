@@ -9,6 +9,8 @@
 
 int big_orient3d(const nook_point p[4]);
 int big_orient2d(const nook_point p[3], uint32_t axis);
+/* The sign of the determinant of p1 - p0, p3 - p2 and p5 - p4. */
+int big_determinant(const nook_point p[6]);
 int big_compare_distances(const nook_point p[4]);
 int big_compare_normals(const nook_point p[8]);
 /* nook_compare_normals() of two pieces of points 0 to 3, and what it should be: by order, triangles that share an edge, in

@@ -20,6 +20,8 @@ int main(void) {
     test_walk();
     test_edit();
     test_sew();
+    test_hull();
+    test_query();
     test_conditions();
     test_verdict();
     test_worlds();

@@ -32,7 +32,7 @@ static void take_given(void) {
     renames = 0;
 }
 
-static uint64_t most_units(uint64_t n) { return n * n * n / 6 + 8 * n * n + 40 * n + 40; }
+static uint64_t most_units(uint64_t n) { return n * n * n / 6 + 8 * n * n + 30 * n + 30; }
 
 /* The hull of what was given, with so many units a call. */
 static nook_status slice(uint32_t units_a_call) {
@@ -253,11 +253,11 @@ static void every_machine_makes_the_same_hull(void) {
     dice d = {17};
     throw_ball(&d, 66, true);
     has_hull_of(66);
-    CHECK_EQUAL(digest(), 0xCDBFA4E1u);
+    CHECK_EQUAL(digest(), 0xF42A72E7u);
     throw_ball(&d, 66, false);
     CHECK_EQUAL(slice(UINT32_MAX), NOOK_OK);
     is_hull();
-    CHECK_EQUAL(digest(), 0xAC575184u);
+    CHECK_EQUAL(digest(), 0xE90C0EC0u);
 }
 
 static void large_hulls_are_hulls(void) {

@@ -62,7 +62,13 @@ static inline int nook_decided(float value, float relative, float magnitude, flo
     return -value > error ? -1 : NOOK_UNDECIDED;
 }
 
-static inline float nook_abs(float x) { return x < 0 ? -x : x; }
+static inline float nook_abs(float x) {
+#ifdef __GNUC__
+    return __builtin_fabsf(x);
+#else
+    return x < 0 ? -x : x;
+#endif
+}
 
 /* The sign of b x c . d, each rounded once; always NOOK_UNDECIDED without an FPU. */
 static inline int nook_triple_sign(nook_point b, nook_point c, nook_point d) {

@@ -1,7 +1,7 @@
 /* nook_intersections.c -- each triangle, and each border edge, against the tree. */
 #include "query/nook_intersections.h"
 
-#include "query/nook_lanes.h"
+#include "query/nook_apart.h"
 #include "query/nook_pair.h"
 
 /* The cells of a box. */
@@ -57,54 +57,99 @@ static void begin_leaf(nook_intersections *q) {
     nook_descent_begin(&q->descent, q->bvh);
 }
 
-/* The boxes of some triangles side by side. */
-typedef struct bundle {
-    float low[3][NOOK_LANES], high[3][NOOK_LANES];
-} bundle;
-
-static bool box_at(const nook_bvh *bvh, uint32_t place, nook_point *low, nook_point *high) {
-    const nook_point *p[3];
+/* The triangle at a place, or the last one. */
+static uint32_t triangle_near(const nook_bvh *bvh, uint32_t place) {
     uint32_t last = bvh->view.nt - 1u;
-    if (!nook_points_of(bvh, nook_triangle_at(bvh, place < last ? place : last), p)) return false;
-    *low = nook_low(nook_low(*p[0], *p[1]), *p[2]);
-    *high = nook_high(nook_high(*p[0], *p[1]), *p[2]);
+    return nook_triangle_at(bvh, place < last ? place : last);
+}
+
+/* The same triangle in all lanes. */
+static bool gather_one(const nook_bvh *bvh, uint32_t t, nook_several *to) {
+    const nook_point *p[3];
+    uint32_t i;
+    if (!nook_points_of(bvh, t, p)) return false;
+    for (i = 0; i < 3u; i++) {
+        to->v[i] = nook_all_flags() & (int32_t)bvh->view.V[3u * t + i];
+        to->p[i] = nook_vectors_of(*p[i]);
+    }
     return true;
 }
 
-/* Which triangles of a leaf, as bits, have boxes that overlap one. */
-static uint32_t overlapping(const bundle *b, nook_point low, nook_point high) {
-    nook_flags some = nook_lanes_at(b->low[0]) <= nook_lanes_of(high.x);
-    uint32_t bits = 0, axis, k;
-    for (axis = 0; axis < 3u; axis++) {
-        some = some & (nook_lanes_at(b->low[axis]) <= nook_lanes_of(nook_along(&high, axis)));
-        some = some & (nook_lanes_at(b->high[axis]) >= nook_lanes_of(nook_along(&low, axis)));
+/* Some from a place on. */
+static bool gather(const nook_bvh *bvh, uint32_t place, nook_several *to) {
+    int32_t v[3][NOOK_LANES];
+    nook_points points[3];
+    const nook_point *p[3];
+    uint32_t i, k;
+    for (k = 0; k < NOOK_LANES; k++) {
+        uint32_t t = triangle_near(bvh, place + k);
+        if (!nook_points_of(bvh, t, p)) return false;
+        for (i = 0; i < 3u; i++) {
+            v[i][k] = (int32_t)bvh->view.V[3u * t + i];
+            nook_set_point(&points[i], k, p[i]);
+        }
     }
-    for (k = 0; k < NOOK_LANES; k++) bits |= (uint32_t)nook_flag(some, k) << k;
-    return bits;
+    for (i = 0; i < 3u; i++) {
+        memcpy(&to->v[i], v[i], sizeof to->v[i]);
+        to->p[i] = nook_vectors_at(&points[i]);
+    }
+    return true;
 }
 
-/* Bits 4 i + j of pairs: place i of the leaf and place j of the node have boxes that overlap, and i comes first. */
+static nook_vectors low_of(const nook_several *a) {
+    return nook_vectors_smaller(nook_vectors_smaller(a->p[0], a->p[1]), a->p[2]);
+}
+
+static nook_vectors high_of(const nook_several *a) {
+    return nook_vectors_larger(nook_vectors_larger(a->p[0], a->p[1]), a->p[2]);
+}
+
+/* The axis along which a triangle is seen largest. */
+static uint32_t broadest(const nook_bvh *bvh, uint32_t t) {
+    nook_point a = nook_point_at(&bvh->view, 3u * t), b = nook_point_at(&bvh->view, 3u * t + 1u);
+    nook_point n = nook_cross(nook_sub(b, a), nook_sub(nook_point_at(&bvh->view, 3u * t + 2u), a));
+    float x = nook_abs(n.x), y = nook_abs(n.y), z = nook_abs(n.z);
+    return x > y ? (x > z ? 0 : 2u) : (y > z ? 1u : 2u);
+}
+
+/* Which pairs of a triangle, the same in all lanes, and others may intersect. */
+static nook_flags may_meet(const nook_several *a, const nook_several *b, uint32_t axis) {
+    nook_vectors low = low_of(a), high = high_of(a), from = low_of(b), to = high_of(b);
+    nook_flags some = (from.x <= high.x) & (from.y <= high.y) & (from.z <= high.z) & (to.x >= low.x) &
+                      (to.y >= low.y) & (to.z >= low.z);
+    if (!NOOK_HAS_FPU || !nook_any_flag(some)) return some;
+    some = some & nook_not(nook_is_on_one_side(a, b) | nook_is_on_one_side(b, a));
+    if (nook_any_flag(some)) {
+        nook_seen x = nook_see(a, axis), y = nook_see(b, axis);
+        some = some & nook_not(nook_is_beside(a, &x, b, &y) | nook_is_beside(b, &y, a, &x));
+    }
+    return some;
+}
+
+/* Bits 4 i + j + k of pairs: place i of the leaf may meet places j + k of the node, k a lane. */
+static bool find_pairs_of(nook_intersections *q, uint32_t i, const nook_several *b, uint32_t j) {
+    uint32_t k, place = 4u * q->leaf + i, other = 4u * q->descent.node + j, nt = q->bvh->view.nt;
+    uint32_t t = triangle_near(q->bvh, place);
+    nook_several a;
+    nook_flags some;
+    if (!gather_one(q->bvh, t, &a)) return false;
+    some = may_meet(&a, b, broadest(q->bvh, t));
+    for (k = 0; k < NOOK_LANES; k++) {
+        if (nook_flag(some, k) && place < other + k && other + k < nt)
+            q->pairs |= (uint32_t)1 << (4u * i + j + k);
+    }
+    return true;
+}
+
 NOOK_APART static bool find_pairs(nook_intersections *q) {
-    uint32_t nt = q->bvh->view.nt, i, j, k, axis, first = 4u * q->leaf, second = 4u * q->descent.node;
-    nook_point low[4], high[4], a, b;
+    uint32_t i, j;
     q->pairs = 0;
-    for (i = 0; i < 4u; i++) {
-        if (!box_at(q->bvh, first + i, &low[i], &high[i])) return false;
-    }
     for (j = 0; j < 4u; j += NOOK_LANES) {
-        bundle boxes;
-        for (k = 0; k < NOOK_LANES; k++) {
-            if (!box_at(q->bvh, second + j + k, &a, &b)) return false;
-            for (axis = 0; axis < 3u; axis++) {
-                boxes.low[axis][k] = nook_along(&a, axis);
-                boxes.high[axis][k] = nook_along(&b, axis);
-            }
+        nook_several b;
+        if (!gather(q->bvh, 4u * q->descent.node + j, &b)) return false;
+        for (i = 0; i < 4u; i++) {
+            if (!find_pairs_of(q, i, &b, j)) return false;
         }
-        for (i = 0; i < 4u; i++) q->pairs |= overlapping(&boxes, low[i], high[i]) << (4u * i + j);
-    }
-    for (i = 0; i < 16u; i++) {
-        uint32_t one = first + (i >> 2), other = second + (i & 3u);
-        if (one >= other || other >= nt) q->pairs &= ~((uint32_t)1 << i);
     }
     return true;
 }

@@ -29,16 +29,19 @@ static inline nook_lanes nook_smaller(nook_lanes a, nook_lanes b) {
 
 static inline nook_lanes nook_magnitude(nook_lanes a) { return (nook_lanes)((nook_flags)a & INT32_MAX); }
 
-/* Bounds, as integers. */
+/* Bounds, as integers: each between zeros. */
 static inline nook_flags nook_load_cells(const nook_bound *from) {
+    typedef uint16_t eight __attribute__((vector_size(16)));
+    typedef uint64_t two __attribute__((vector_size(16)));
+    two all = {0, 0};
+    eight zero = {0, 0, 0, 0, 0, 0, 0, 0};
+    memcpy(&all, from, 4u * sizeof *from);
 #if NOOK_BOUND_BITS == 8
-    typedef uint8_t four __attribute__((vector_size(4)));
-#else
-    typedef uint16_t four __attribute__((vector_size(8)));
+    typedef uint8_t sixteen __attribute__((vector_size(16)));
+    all = (two)__builtin_shufflevector((sixteen)all, (sixteen)zero, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21,
+                                       6, 22, 7, 23);
 #endif
-    four bounds;
-    memcpy(&bounds, from, sizeof bounds);
-    return __builtin_convertvector(bounds, nook_flags);
+    return (nook_flags)__builtin_shufflevector((eight)all, zero, 0, 8, 1, 9, 2, 10, 3, 11);
 }
 
 /* And as floats. */
@@ -54,6 +57,18 @@ static inline void nook_set_entries(uint32_t *entry, uint32_t child, nook_flags 
 }
 
 static inline bool nook_flag(nook_flags flags, uint32_t k) { return flags[k] != 0; }
+static inline nook_flags nook_not(nook_flags flags) { return ~flags; }
+/* a where flagged, else 0. */
+static inline nook_lanes nook_if(nook_flags flags, nook_lanes a) {
+    return (nook_lanes)((nook_flags)a & flags);
+}
+static inline bool nook_any_flag(nook_flags flags) {
+    return (flags[0] | flags[1] | flags[2] | flags[3]) != 0;
+}
+static inline nook_flags nook_all_flags(void) {
+    nook_flags all = {-1, -1, -1, -1};
+    return all;
+}
 #else
 typedef float nook_lanes;
 typedef int nook_flags;
@@ -68,6 +83,10 @@ static inline void nook_set_entries(uint32_t *entry, uint32_t child, nook_flags 
     entry[child] = some ? nook_entry(least, child) : NOOK_UP;
 }
 static inline bool nook_flag(nook_flags flags, uint32_t k) { return flags != 0 && k == 0; }
+static inline nook_flags nook_not(nook_flags flags) { return flags == 0; }
+static inline nook_lanes nook_if(nook_flags flags, nook_lanes a) { return flags != 0 ? a : 0; }
+static inline bool nook_any_flag(nook_flags flags) { return flags != 0; }
+static inline nook_flags nook_all_flags(void) { return -1; }
 #endif
 
 /* From memory, as many as there are lanes. */
@@ -75,6 +94,50 @@ static inline nook_lanes nook_lanes_at(const float *from) {
     nook_lanes a;
     memcpy(&a, from, sizeof a);
     return a;
+}
+
+typedef struct nook_vectors {
+    nook_lanes x, y, z;
+} nook_vectors;
+
+static inline nook_vectors nook_vectors_sub(nook_vectors a, nook_vectors b) {
+    nook_vectors d = {a.x - b.x, a.y - b.y, a.z - b.z};
+    return d;
+}
+
+static inline nook_vectors nook_vectors_of(nook_point p) {
+    nook_vectors v = {nook_lanes_of(p.x), nook_lanes_of(p.y), nook_lanes_of(p.z)};
+    return v;
+}
+
+static inline nook_vectors nook_vectors_smaller(nook_vectors a, nook_vectors b) {
+    nook_vectors c = {nook_smaller(a.x, b.x), nook_smaller(a.y, b.y), nook_smaller(a.z, b.z)};
+    return c;
+}
+
+static inline nook_vectors nook_vectors_larger(nook_vectors a, nook_vectors b) {
+    nook_vectors c = {nook_larger(a.x, b.x), nook_larger(a.y, b.y), nook_larger(a.z, b.z)};
+    return c;
+}
+
+static inline nook_lanes nook_largest(nook_vectors a) {
+    return nook_larger(nook_larger(nook_magnitude(a.x), nook_magnitude(a.y)), nook_magnitude(a.z));
+}
+
+/* Points in memory, coordinate by coordinate. */
+typedef struct nook_points {
+    float x[NOOK_LANES], y[NOOK_LANES], z[NOOK_LANES];
+} nook_points;
+
+static inline void nook_set_point(nook_points *to, uint32_t k, const nook_point *p) {
+    to->x[k] = p->x;
+    to->y[k] = p->y;
+    to->z[k] = p->z;
+}
+
+static inline nook_vectors nook_vectors_at(const nook_points *p) {
+    nook_vectors v = {nook_lanes_at(p->x), nook_lanes_at(p->y), nook_lanes_at(p->z)};
+    return v;
 }
 
 #endif

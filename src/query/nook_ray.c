@@ -60,34 +60,9 @@ typedef struct sides {
 
 static bool differ(int a, int b) { return a * b < 0; }
 
-/* A corner of some triangles, first in memory, then from the origin of the ray. */
-typedef struct corner {
-    float x[NOOK_LANES], y[NOOK_LANES], z[NOOK_LANES];
-} corner;
-
-typedef struct vectors {
-    nook_lanes x, y, z;
-} vectors;
-
-static inline void set_corner(corner *c, uint32_t k, const nook_point *p) {
-    c->x[k] = p->x;
-    c->y[k] = p->y;
-    c->z[k] = p->z;
-}
-
-static inline vectors from_origin(const corner *c, nook_point o) {
-    vectors v = {nook_lanes_at(c->x) - nook_lanes_of(o.x), nook_lanes_at(c->y) - nook_lanes_of(o.y),
-                 nook_lanes_at(c->z) - nook_lanes_of(o.z)};
-    return v;
-}
-
-static inline nook_lanes passing(nook_point d, vectors a, vectors b) {
+static inline nook_lanes passing(nook_point d, nook_vectors a, nook_vectors b) {
     return (a.y * b.z - a.z * b.y) * nook_lanes_of(d.x) + (a.z * b.x - a.x * b.z) * nook_lanes_of(d.y) +
            (a.x * b.y - a.y * b.x) * nook_lanes_of(d.z);
-}
-
-static inline nook_lanes largest(vectors a) {
-    return nook_larger(nook_larger(nook_magnitude(a.x), nook_magnitude(a.y)), nook_magnitude(a.z));
 }
 
 /* How the line passes some triangles: past, where two edges are on different sides by more than rounding can do; out or in
@@ -96,12 +71,13 @@ typedef struct judgement {
     nook_flags past, out, in;
 } judgement;
 
-static inline judgement judge(const nook_ray *r, const corner p[3]) {
-    vectors a = from_origin(&p[0], r->origin), b = from_origin(&p[1], r->origin),
-            c = from_origin(&p[2], r->origin);
+static inline judgement judge(const nook_ray *r, const nook_points p[3]) {
+    nook_vectors o = nook_vectors_of(r->origin), a = nook_vectors_sub(nook_vectors_at(&p[0]), o);
+    nook_vectors b = nook_vectors_sub(nook_vectors_at(&p[1]), o),
+                 c = nook_vectors_sub(nook_vectors_at(&p[2]), o);
     nook_point d = toward(r);
     nook_lanes ab = passing(d, a, b), bc = passing(d, b, c), ca = passing(d, c, a);
-    nook_lanes far = nook_larger(nook_larger(largest(a), largest(b)), largest(c));
+    nook_lanes far = nook_larger(nook_larger(nook_largest(a), nook_largest(b)), nook_largest(c));
     nook_lanes margin = far * far * nook_lanes_of(0x1p-17f) + nook_lanes_of(0x1p-120f);
     nook_lanes least = nook_smaller(nook_smaller(ab, bc), ca), most = nook_larger(nook_larger(ab, bc), ca);
     judgement j = {(least < -margin) & (most > margin), least > margin, most < -margin};
@@ -285,14 +261,14 @@ static inline bool visit_some(nook_ray *r, uint32_t place) {
     uint32_t t[NOOK_LANES], last = r->bvh->view.nt - 1u, k;
     const nook_point *p[NOOK_LANES][3];
     judgement j;
-    corner c[3];
+    nook_points c[3];
     memset(&j, 0, sizeof j);
     for (k = 0; k < NOOK_LANES; k++) {
         t[k] = nook_triangle_at(r->bvh, place + k < last ? place + k : last);
         if (!nook_points_of(r->bvh, t[k], p[k])) return false;
-        set_corner(&c[0], k, p[k][0]);
-        set_corner(&c[1], k, p[k][1]);
-        set_corner(&c[2], k, p[k][2]);
+        nook_set_point(&c[0], k, p[k][0]);
+        nook_set_point(&c[1], k, p[k][1]);
+        nook_set_point(&c[2], k, p[k][2]);
     }
     if (NOOK_HAS_FPU) j = judge(r, c);
     for (k = 0; k < NOOK_LANES && place + k <= last; k++) {

@@ -1,4 +1,4 @@
-# query.mk -- build/query/bench: nook's queries beside those of peers that Debian has. Included by the Makefile.
+# query.mk -- build/query/bench: nook's queries beside those of peers that Debian has. For the Makefile.
 # A peer that is not installed is left out, and said so; `make bench-query PEERS=` is nook alone.
 PEERS ?= embree bullet ode fcl cgal
 CXX := $(if $(filter default,$(origin CXX)),g++,$(CXX))
@@ -16,12 +16,13 @@ PEER_LIBS_fcl := -lfcl -lccd
 PEER_LIBS_cgal := -lgmp -lmpfr
 # Asked only when it matters.
 PEERS_HERE := $(if $(filter bench% build/query/%,$(MAKECMDGOALS)),$(foreach p,$(PEERS),$(shell \
-	echo '#include <$(PEER_HEADER_$(p))>' | $(CXX) -std=c++17 $(PEER_FLAGS_$(p)) -E -x c++ - >/dev/null 2>&1 && echo $(p))))
+	echo '#include <$(PEER_HEADER_$(p))>' | $(CXX) -std=c++17 $(PEER_FLAGS_$(p)) -E -x c++ - >/dev/null 2>&1 && \
+	echo $(p))))
 
 build/query/%.o: tests/bench/query_%.cc tests/bench/query.mk
 	@mkdir -p $(@D)
 	$(Q)$(CXX) -std=c++17 -O2 -g -DNDEBUG -Wall -Wextra $(PEER_FLAGS_$*) -MMD -MP -c $< -o $@
-# Two widths in one program: the library and its side of the bench in one object each, of which one name is seen.
+# Two widths in one program: library and its side of the bench in one object each, of which one name is seen.
 build/query/nook%.o: build/cc%/tests/bench/query_nook.o build/cc%/libnook.a
 	@mkdir -p $(@D)
 	$(Q)$(LD) -r $< --whole-archive build/cc$*/libnook.a -o $@
@@ -35,8 +36,7 @@ build/query/bench: $(QUERY_OBJECTS) build/query/peers
 	@echo "$@"
 	$(Q)$(if $(PEERS_HERE),$(CXX),$(CC)) $(QUERY_OBJECTS) $(foreach p,$(PEERS_HERE),$(PEER_LIBS_$(p))) -lm -o $@
 
-.PHONY: FORCE bench-query
-BENCH ?=
-bench-query: build/query/bench ## queries beside Embree, Bullet, ODE, FCL, CGAL (lib*-dev), those that are here; BENCH="only=rays:pipe20k a.stl"
-	@$(foreach p,$(filter-out $(PEERS_HERE),embree bullet ode fcl cgal),echo "SKIPPED: $(p): apt-get install lib$(p)-dev";) true
-	build/query/bench $(BENCH)
+.PHONY: FORCE peers-missing
+peers-missing:
+	@$(foreach p,$(filter-out $(PEERS_HERE),embree bullet ode fcl cgal),\
+		echo "SKIPPED: $(p): apt-get install lib$(p)-dev";) true

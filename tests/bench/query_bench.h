@@ -66,8 +66,8 @@ extern const engine nook32_engines[] MAY_BE_MISSING, nook16_engines[] MAY_BE_MIS
 extern const engine embree_engines[] MAY_BE_MISSING, bullet_engines[] MAY_BE_MISSING;
 extern const engine ode_engines[] MAY_BE_MISSING, fcl_engines[] MAY_BE_MISSING, cgal_engines[] MAY_BE_MISSING;
 
-/* Shapes by name, made or read (binary STL, exactly welded, triangles with repeated vertices dropped). False if there
- * is none of that name, or it cannot be read. */
+/* Shapes by name, made or read (binary STL, exactly welded, triangles with repeated vertices dropped). False
+ * if there is none of that name, or it cannot be read. */
 bool shape_make(shape *s, const char *name);
 bool shape_read(shape *s, const char *path);
 void shape_free(shape *s);

@@ -1,5 +1,5 @@
-// query_cgal.cc -- CGAL for query_bench: AABB_tree over triangles (rays, closest points) with exact predicates and with
-// plain doubles, Side_of_triangle_mesh, and the self-intersections of Polygon_mesh_processing.
+// query_cgal.cc -- CGAL for query_bench: AABB_tree over triangles (rays, closest points) with exact
+// predicates and with plain doubles, Side_of_triangle_mesh, Polygon_mesh_processing's self-intersections.
 #include "query_bench.h"
 
 #include <CGAL/AABB_traits.h>

@@ -1,4 +1,4 @@
-/* query_nook.c -- nook for query_bench. Compiled once an index width; only the list of engines stays visible. */
+/* query_nook.c -- nook for query_bench. Compiled once a width; only its list of engines stays visible. */
 #include "query_bench.h"
 
 #include <math.h>
@@ -163,7 +163,7 @@ const engine nook16_engines[] = {
 const engine nook32_engines[] = {
 #endif
     {NAME(""), MAX_NT, 1, prepare, release, build, unbuild, true, kept, rays, closest, inside, cuts, pairs},
-    {NAME("-sorted"), MAX_NT, 1, prepare, release, build_sorted, unbuild, false, NULL, rays, closest, inside,
+    {NAME("-sort"), MAX_NT, 1, prepare, release, build_sorted, unbuild, false, NULL, rays, closest, inside,
      NULL, NULL},
     {NAME("-tree"), MAX_NT, 1, prepare, release, build, unbuild, false, kept, NULL, NULL, NULL, cuts_there,
      pairs_there},

@@ -271,6 +271,8 @@ bool shape_read(shape *s, const char *path) {
     snprintf(s->name, sizeof s->name, "%.*s", 14, base == NULL ? path : base + 1);
     weld(s, soup, t);
     free(soup);
+    for (uint32_t v = 0; v < s->nv; v++)
+        if (!isfinite(s->G[v].x) || !isfinite(s->G[v].y) || !isfinite(s->G[v].z)) s->nt = 0;
     if (t != nt || s->nt == 0) {
         shape_free(s);
         return false;

@@ -6,7 +6,7 @@
  * Of every mesh: the depth-first search takes 3 hops a triangle and one a component; distances are those of a
  * breadth-first search; loops hold every border edge once; the algebra of half-edges holds. Then its fans are split until
  * it is manifold, it is turned inside out and back, its holes are filled, and it is edited by dice, with checks on the
- * way. */
+ * way. Of its vertices the hull is made: a convex shell of some of them, with none outside. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,6 +25,7 @@ static nook_index *component, *distance, *queue;
 static nook_report report;
 static nook_check_result result;
 static uint32_t meshes, holes, filled, edits, splits, refused;
+static uint32_t hulls, points_of_hulls, vertices_of_hulls;
 
 static void make_room(uint32_t nv, uint32_t nt) {
     uint32_t max_nv = nv + 4 * nt + 64, max_nt = 4 * nt + 64;
@@ -225,10 +226,75 @@ static void edit_by_dice(uint32_t times) {
     CHECK_EQUAL(result.survey.nonmanifold_vertices, 0);
 }
 
+/* ---- hull -------------------------------------------------------------------------------------------- */
+
+static uint32_t *origin; /* which vertex of the mesh one of the hull is */
+
+static void follow(void *user, nook_kind kind, uint32_t from, uint32_t to) {
+    CHECK(user == origin && kind == NOOK_AT_VERTEX);
+    origin[to] = origin[from];
+}
+
+/* A convex shell that has no vertex of the mesh outside. All faces are held against so many vertices, evenly spread,
+ * that it does not take for ever: those left out change from face to face. */
+static void is_hull(const nook_mesh *hull, const nook_marks *room) {
+    nook_report of_link;
+    nook_check_result of_check;
+    nook_view v = nook_view_of(hull);
+    nook_mesh copy = *hull;
+    uint32_t before = nook_digest(&v), stride = 1 + (uint32_t)((uint64_t)hull->nt * mesh.nv / 500000u), t, i;
+    CHECK_EQUAL(nook_check(&v, room, NULL, NULL, NULL, &of_check), NOOK_OK);
+    CHECK_EQUAL(of_check.bad_indices + of_check.bad_opposites + of_check.bad_corners, 0);
+    CHECK_EQUAL(nook_link(&copy, room, NULL, NULL, &of_link, NULL), NOOK_OK);
+    CHECK_EQUAL(nook_check(&v, room, &of_link, NULL, NULL, &of_check), NOOK_OK);
+    CHECK_EQUAL(nook_digest(&v), before);
+    CHECK(nook_is_sound(&of_check) && of_check.simple == NOOK_YES && of_check.geometry.convex == NOOK_YES &&
+          of_check.isolated_vertices == 0);
+    for (i = 0; i < hull->nv; i++) {
+        if (memcmp(&hull->G[i], &mesh.G[origin[i]], sizeof *hull->G) != 0) CHECK_EQUAL(i, NOOK_NONE);
+    }
+    for (t = 0; t < hull->nt && !test_has_failed(); t++) {
+        const nook_index *V = hull->V + 3u * t;
+        for (i = t % stride; i < mesh.nv; i += stride) {
+            if (nook_orient3d(&hull->G[V[0]], &hull->G[V[1]], &hull->G[V[2]], &mesh.G[i]) > 0)
+                CHECK_EQUAL(t, NOOK_NONE);
+        }
+    }
+}
+
+static void hull_of_its_vertices(void) {
+    const uint32_t nv = mesh.nv, nt = 2 * nv;
+    nook_mesh hull;
+    nook_marks room = {NULL, NULL, nt, nv};
+    nook_edit edit = {.renamed = follow};
+    nook_status status;
+    if (nv < 4 || nt > NOOK_MAX_TRIANGLES) return;
+    CHECK_EQUAL(nook_mesh_init(&hull, take(nv, sizeof(nook_point)), take(3u * nt, sizeof(nook_index)),
+                               take(3u * nt, sizeof(nook_index)), take(nv, sizeof(nook_index)), nv, nt),
+                NOOK_OK);
+    room.Mt = take(NOOK_MT_BYTES(nt), 1);
+    room.Mv = take(NOOK_MV_BYTES(nv), 1);
+    edit.user = origin = take(nv, sizeof *origin);
+    memcpy(hull.G, mesh.G, nv * sizeof *hull.G);
+    for (hull.nv = 0; hull.nv < nv; hull.nv++) origin[hull.nv] = hull.nv;
+    status = nook_hull(&hull, &room, &edit, NULL);
+    CHECK(status == NOOK_OK || status == NOOK_FLAT_SHELL || status == NOOK_NOT_FINITE ||
+          status == NOOK_COORDINATE_TOO_LARGE);
+    if (status == NOOK_OK) {
+        hulls++;
+        points_of_hulls += nv;
+        vertices_of_hulls += hull.nv;
+        is_hull(&hull, &room);
+    }
+    free(hull.G), free(hull.V), free(hull.O), free(hull.C);
+    free(room.Mt), free(room.Mv), free(origin);
+}
+
 /* ---- meshes ------------------------------------------------------------------------------------------ */
 
 static void walk_and_edit(void) {
     meshes++;
+    hull_of_its_vertices();
     link_and_check();
     searches_agree();
     loops_hold_every_border_edge_once();
@@ -319,5 +385,7 @@ int main(int argc, char **argv) {
     print_figure("walks and edits", meshes, "meshes", start);
     (void)printf("%u vertices split off, %u of %u holes filled, %u edits made and %u refused\n",
                  (unsigned)splits, (unsigned)filled, (unsigned)holes, (unsigned)edits, (unsigned)refused);
+    (void)printf("%u hulls of %u points with %u vertices\n", (unsigned)hulls, (unsigned)points_of_hulls,
+                 (unsigned)vertices_of_hulls);
     return finish_tests();
 }

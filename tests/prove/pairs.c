@@ -1,9 +1,10 @@
-/* pairs.c -- do two triangles meet? Every pair on a grid, the same moved and scaled, near misses, and any floats.
+/* pairs.c -- do two triangles meet? Every pair on a grid, the same moved and scaled, near misses, and any
+ * floats.
  *
- * The oracle is weights.h, which knows no planes and no cases. On the grid of 3 x 3 x 3 points a triangle is any three
- * of them, equal ones too: segments and points are triangles here. The first is taken once for all that the 48
- * symmetries of a cube make of it, the second is every one, so that all 27^6 pairs are covered up to symmetry and the
- * order of corners; that order is thrown. */
+ * The oracle is weights.h, which knows no planes and no cases. On the grid of 3 x 3 x 3 points a triangle
+ * is any three of them, equal ones too: segments and points are triangles here. The first is taken once
+ * for all that the 48 symmetries of a cube make of it, the second is every one, so that all 27^6 pairs are
+ * covered up to symmetry and the order of corners; that order is thrown. */
 #include "prove.h"
 #include "weights.h"
 
@@ -15,9 +16,7 @@
 enum { SIDE = 3, POINTS = SIDE * SIDE * SIDE, MOST_TRIPLES = 3654, SYMMETRIES = 48 };
 
 static dice d = {20240607u};
-static struct {
-    uint32_t pairs, meet, wrong;
-} count;
+static struct { uint32_t pairs, meet, wrong; } count;
 
 static void begin_count(void) { memset(&count, 0, sizeof count); }
 
@@ -71,7 +70,7 @@ static void ask(const nook_point *a, const nook_point *b, bool expected) {
     judge(a, b, asked(b, order / 6, a, order % 6), expected);
 }
 
-/* ---- the grid ---------------------------------------------------------------------------------------- */
+/* ---- the grid ------------------------------------------------------------------------------------- */
 
 typedef struct triple {
     uint8_t point[3];
@@ -154,7 +153,7 @@ static void two_triangles_of_a_grid_meet_if_a_mean_of_their_differences_is_0(voi
     CHECK_EQUAL(kinds, 136); /* Burnside */
 }
 
-/* ---- in a mesh: vertices shared by number ------------------------------------------------------------ */
+/* ---- in a mesh: vertices shared by number --------------------------------------------------------- */
 
 /* Vertices 0 to 2 are those of the first triangle; those of the second are name[], of 0 to 2 or 3 to 5. */
 static vector at[6];
@@ -238,7 +237,8 @@ static bool is_named(uint32_t v, uint32_t before) {
     return false;
 }
 
-/* Corner i has, of the first triangle, each vertex in turn that lies where it lies; or a vertex of its own. */
+/* Corner i has, of the first triangle, each vertex in turn that lies where it lies; or a vertex of its
+ * own. */
 static void share_and_ask(const nook_point *G, uint32_t i) {
     uint32_t v;
     if (i == 3) {
@@ -287,7 +287,7 @@ static void a_triangle_with_a_vertex_twice_intersects_nothing(void) {
     }
 }
 
-/* ---- the grid moved and scaled: nearly touching, by rounding ----------------------------------------- */
+/* ---- the grid moved and scaled: nearly touching, by rounding -------------------------------------- */
 
 static float unit(void) { return (float)throw_dice(&d, 0x1000000u) * 0x1p-23f - 1.0f; }
 
@@ -328,7 +328,7 @@ static void moved_and_scaled_grids_have_the_same_answers_as_integers(void) {
     end_count("triangles of grids, moved and scaled by 1e-3 to 1e4", since);
 }
 
-/* ---- near misses --------------------------------------------------------------------------------------- */
+/* ---- near misses ---------------------------------------------------------------------------------- */
 
 static nook_point throw_point(float scale) {
     nook_point p;
@@ -382,7 +382,7 @@ static void near_misses_have_the_answers_of_integers(void) {
     end_count("triangles upon or a last place beside one another", since);
 }
 
-/* ---- any floats ---------------------------------------------------------------------------------------- */
+/* ---- any floats ----------------------------------------------------------------------------------- */
 
 static void any_finite_floats_have_the_answers_of_big_integers(void) {
     uint32_t i, j, k, since = milliseconds();

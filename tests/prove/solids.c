@@ -7,7 +7,7 @@
 
 world here;
 
-/* ---- in whole numbers -------------------------------------------------------------------------------- */
+/* ---- in whole numbers ----------------------------------------------------------------------------- */
 
 typedef struct whole {
     int32_t at[3];
@@ -72,7 +72,8 @@ static uint32_t point_at(int32_t x, int32_t y, int32_t z, uint32_t first) {
 
 static uint32_t onto_sphere(nook_point p, int32_t radius, const int32_t *centre, uint32_t first) {
     float s = (float)radius / nook_length(p);
-    return point_at(centre[0] + rounded(p.x * s), centre[1] + rounded(p.y * s), centre[2] + rounded(p.z * s), first);
+    return point_at(centre[0] + rounded(p.x * s), centre[1] + rounded(p.y * s), centre[2] + rounded(p.z * s),
+                    first);
 }
 
 /* Each face of an octahedron in n x n triangles. */
@@ -89,7 +90,8 @@ static void add_sphere(int32_t n, int32_t radius, int32_t x, int32_t y, int32_t 
                 for (k = 0; k < 4; k++) {
                     int32_t u = i + (k & 1 ? 1 : 0), w = j + (k & 2 ? 1 : 0);
                     if (u + w > n) u = w = 0; /* not used */
-                    v[k] = onto_sphere(nook_make(a * (float)u, b * (float)w, c * (float)(n - u - w)), radius, centre, first);
+                    v[k] = onto_sphere(nook_make(a * (float)u, b * (float)w, c * (float)(n - u - w)), radius,
+                                       centre, first);
                 }
                 triangle(v[0], v[over ? 2 : 1], v[over ? 1 : 2]);
                 if (i + j + 2 <= n) triangle(v[1], v[over ? 2 : 3], v[over ? 3 : 2]);
@@ -141,7 +143,8 @@ static void thin_plate(void) {
     uint32_t top, x, y;
     for (top = 0; top < 2; top++) {
         for (y = 0; y < 5; y++) {
-            for (x = 0; x < 5; x++) (void)point(2500 * (int32_t)x - 5000, 2500 * (int32_t)y - 5000, (int32_t)top);
+            for (x = 0; x < 5; x++)
+                (void)point(2500 * (int32_t)x - 5000, 2500 * (int32_t)y - 5000, (int32_t)top);
         }
     }
     for (y = 0; y < 4; y++) {
@@ -166,7 +169,8 @@ static void gear(void) {
         for (k = 0; k < 48; k++) {
             float c, s, r = k % 2 ? 5000.0f : 4800.0f;
             turned(k / 2, 24, &c, &s);
-            (void)point(rounded(r * c) + (k % 2 ? -rounded(60 * s) : 0), rounded(r * s) + (k % 2 ? rounded(60 * c) : 0), z);
+            (void)point(rounded(r * c) + (k % 2 ? -rounded(60 * s) : 0),
+                        rounded(r * s) + (k % 2 ? rounded(60 * c) : 0), z);
         }
     }
     for (k = 0; k < 48; k++) {
@@ -209,20 +213,22 @@ static void folded_strip(void) {
     triangle(12, 13, 14);
 }
 
-/* Two strips side by side with no vertex in common, one with a vertex more on each edge of the seam but the last; and
- * one that stands a hand's breadth off. */
+/* Two strips side by side with no vertex in common, one with a vertex more on each edge of the seam but
+ * the last; and one that stands a hand's breadth off. */
 static void seam(void) {
     int32_t i;
     for (i = 0; i < 6; i++) {
         (void)point(1000, 1600 * i, 0);
         (void)point(0, 1600 * i, 0);
     }
-    for (i = 0; i < 5; i++) square(2 * (uint32_t)i, 2 * (uint32_t)i + 2, 2 * (uint32_t)i + 3, 2 * (uint32_t)i + 1);
+    for (i = 0; i < 5; i++)
+        square(2 * (uint32_t)i, 2 * (uint32_t)i + 2, 2 * (uint32_t)i + 3, 2 * (uint32_t)i + 1);
     for (i = 0; i < 10; i++) {
         (void)point(1000, 800 * i, 0);
         (void)point(2000, 800 * i, i == 3 ? 1 : 0);
     }
-    for (i = 0; i < 9; i++) square(12 + 2 * (uint32_t)i, 13 + 2 * (uint32_t)i, 15 + 2 * (uint32_t)i, 14 + 2 * (uint32_t)i);
+    for (i = 0; i < 9; i++)
+        square(12 + 2 * (uint32_t)i, 13 + 2 * (uint32_t)i, 15 + 2 * (uint32_t)i, 14 + 2 * (uint32_t)i);
     (void)point(-1, 2000, 0);
     (void)point(-900, 2000, 300);
     (void)point(-900, 2600, 300);
@@ -247,6 +253,46 @@ static void soup_of(uint32_t count) {
 
 static void soup(void) { soup_of(150); }
 
+/* In a plane of zero extent; every triangle twice, and some of it four times. */
+static void flat(void) {
+    uint32_t y, z, t, times;
+    for (z = 0; z < 4; z++) {
+        for (y = 0; y < 4; y++) (void)point(1000, 1000 * (int32_t)y - 700, 900 * (int32_t)z);
+    }
+    for (z = 0; z < 3; z++) {
+        for (y = 0; y < 3; y++) square(4 * z + y, 4 * z + y + 1, 4 * z + y + 5, 4 * z + y + 4);
+    }
+    for (times = 0; times < 2; times++) {
+        for (t = 0; t < (times == 0 ? 18u : 12u); t++) triangle(T[t][0], T[t][1], T[t][2]);
+    }
+}
+
+/* No area anywhere: points, and segments that cross. */
+static void hairs(void) {
+    int32_t i;
+    for (i = 0; i < 10; i++) {
+        uint32_t a = point(100 * i, 500, 3 * i), b = point(900 - 100 * i, -500, 3 * i),
+                 c = point(450, 0, 3 * i);
+        if (i % 3 == 0) triangle(a, b, c);
+        if (i % 3 == 1) triangle(a, a, b);
+        if (i % 3 == 2) triangle(c, c, c);
+    }
+}
+
+/* Coordinates of all magnitudes. */
+static void wild(void) {
+    uint32_t i;
+    for (i = 0; i < 180; i++) {
+        uint32_t axis;
+        for (axis = 0; axis < 3; axis++) {
+            int32_t x = (int32_t)throw_dice(&d, 1u << (1u + throw_dice(&d, 15)));
+            P[nv].at[axis] = throw_dice(&d, 2) ? x : -x;
+        }
+        nv++;
+    }
+    for (i = 0; i < 60; i++) triangle(3 * i, 3 * i + 1, 3 * i + 2);
+}
+
 const solid solids[] = {
     {"box", box, true},
     {"boxes in boxes", boxes_in_boxes, true},
@@ -260,22 +306,33 @@ const solid solids[] = {
     {"folded strip", folded_strip, false},
     {"seam", seam, false},
     {"soup", soup, false},
+    {"flat", flat, false},
+    {"hairs", hairs, false},
+    {"wild", wild, false},
 };
 const uint32_t solid_count = sizeof solids / sizeof *solids;
 
-/* Sizes of 2 mm and 1 km beside 2 m, if a unit of length is a metre; moved; and skewed. */
+/* Sizes of 2 mm and 2 km beside 2 m, if a unit of length is a metre; moved; skewed; very small and as
+ * large as can be (queries go 30 times as far, and 2^30 is the end). */
 const variant variants[] = {
-    {-25, 0, false}, {-15, 0, false}, {-5, 0, false}, {-15, 6 * 600000, false}, {-24, 6 * 12345, true}, {-2, 6 * 777, true},
+    {-25, 0, false},        {-15, 0, false},     {-5, 0, false},  {-15, 6 * 600000, false},
+    {-24, 6 * 12345, true}, {-2, 6 * 777, true}, {-50, 0, false}, {9, 0, false},
 };
 const uint32_t variant_count = sizeof variants / sizeof *variants;
 
-/* ---- as a mesh --------------------------------------------------------------------------------------- */
+/* ---- as a mesh ------------------------------------------------------------------------------------ */
+
+static float unit_of(const variant *v) {
+    return nook_power_of_two((uint32_t)(127 + v->place / 2)) *
+           nook_power_of_two((uint32_t)(127 + v->place - v->place / 2));
+}
 
 static nook_point placed(const whole *p, const variant *v) {
-    float unit = nook_power_of_two((uint32_t)(127 + v->place));
+    float unit = unit_of(v);
     float x = (float)p->at[0], y = (float)p->at[1], z = (float)p->at[2], o = (float)v->offset;
     if (!v->skew) return nook_make((x + o) * unit, (y - o) * unit, (z + o) * unit);
-    return nook_make(((0.8f * x - 0.6f * y) * 0.93f + o) * unit, ((0.48f * x + 0.64f * y - 0.6f * z) * 0.93f - o) * unit,
+    return nook_make(((0.8f * x - 0.6f * y) * 0.93f + o) * unit,
+                     ((0.48f * x + 0.64f * y - 0.6f * z) * 0.93f - o) * unit,
                      ((0.36f * x + 0.48f * y + 0.8f * z) * 0.93f + o) * unit);
 }
 
@@ -304,7 +361,7 @@ void measure_world(void) {
         const nook_point *p = &here.G[v];
         far.x = larger(far.x, larger(magnitude(p->x), larger(magnitude(p->y), magnitude(p->z))));
     }
-    far.x *= 4;
+    far.x *= 4096;
     here.lattice = lattice_of(&far, 1);
     for (v = 0; v < here.view.nv; v++) {
         here.G[v] = to_lattice(here.lattice, here.G[v]);
@@ -331,7 +388,7 @@ static void make_world(const variant *v, bool closed) {
     here.boxes = fenced(NOOK_BVH_GROUPS(nt) * sizeof *here.boxes);
     here.order = fenced(nt * sizeof *here.order);
     here.boxes_of_one = fenced(nt * NOOK_BVH_GROUPS(1) * sizeof *here.boxes_of_one);
-    here.size = 30000.0f * nook_power_of_two((uint32_t)(127 + v->place));
+    here.size = 30000.0f * unit_of(v);
     CHECK_EQUAL(nook_view_init(&here.view, here.G, here.V, here.O, here.C, nv, nt), NOOK_OK);
     measure_world();
 }
@@ -354,7 +411,8 @@ static void build_alone(uint32_t t) {
     one.O = NULL;
     one.C = NULL;
     one.nt = 1;
-    CHECK_EQUAL(nook_bvh_build(&here.alone[t], &one, here.boxes_of_one + t * NOOK_BVH_GROUPS(1), NULL, NULL), NOOK_OK);
+    CHECK_EQUAL(nook_bvh_build(&here.alone[t], &one, here.boxes_of_one + t * NOOK_BVH_GROUPS(1), NULL, NULL),
+                NOOK_OK);
 }
 
 void build_trees(void) {
@@ -378,7 +436,8 @@ nook_point between(nook_point a, nook_point b, float s) {
 }
 
 nook_point centre_of(uint32_t t) {
-    const nook_point *a = &here.G[here.V[3 * t]], *b = &here.G[here.V[3 * t + 1]], *c = &here.G[here.V[3 * t + 2]];
+    const nook_point *a = &here.G[here.V[3 * t]], *b = &here.G[here.V[3 * t + 1]],
+                     *c = &here.G[here.V[3 * t + 2]];
     nook_point u = nook_sub(*b, *a), v = nook_sub(*c, *a);
     return nook_make(a->x + (u.x + v.x) / 3.0f, a->y + (u.y + v.y) / 3.0f, a->z + (u.z + v.z) / 3.0f);
 }

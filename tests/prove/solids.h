@@ -1,9 +1,10 @@
-/* solids.h -- meshes to ask about places: closed ones, open ones, thin ones, ones that cut themselves; small, large, far away.
+/* solids.h -- meshes to ask about places: closed ones, open ones, thin ones, ones that cut themselves;
+ * small, large, far away.
  *
- * They are made of whole numbers that are multiples of 6, so that midpoints of edges and centres of triangles are whole
- * too, and of a unit that is a power of two: all of them are floats, and what lies on what is exact. A skewed solid is
- * turned and scaled in floats instead: then only its vertices are on it, and nothing lies along an axis. Its arrays are
- * fenced (prove.h). */
+ * They are made of whole numbers that are multiples of 6, so that midpoints of edges and centres of
+ * triangles are whole too, and of a unit that is a power of two: all of them are floats, and what lies on
+ * what is exact. A skewed solid is turned and scaled in floats instead: then only its vertices are on it,
+ * and nothing lies along an axis. Its arrays are fenced (prove.h). */
 #ifndef SOLIDS_H
 #define SOLIDS_H
 
@@ -37,13 +38,14 @@ typedef struct world {
     nook_view view;
     bool closed;
     float size;         /* of the largest coordinate without the offset */
-    lattice lattice;    /* for points up to 4 times as far as the farthest vertex */
+    lattice lattice;    /* for points up to 4096 times as far as the farthest vertex */
     vector at[MOST_NV]; /* the vertices on it */
 
-    nook_bvh bvh;             /* over all triangles, in an order of its own */
+    nook_bvh bvh; /* over all triangles, in an order of its own */
     nook_boxes *boxes;
     nook_index *order;
-    nook_bvh alone[MOST_NT];  /* over each: the naive way to ask a question is to ask it of each triangle alone */
+    nook_bvh
+        alone[MOST_NT]; /* over each: the naive way to ask a question is to ask it of each triangle alone */
     nook_boxes *boxes_of_one; /* those of each */
 } world;
 extern world here;
@@ -59,7 +61,8 @@ void drop_world(void);
 
 /* The corners of a triangle. */
 void take_triangle(uint32_t t, vector p[3]);
-/* s a + (1 - s) b and its like of three, in floats: exact for quarters, halves and thirds of a solid that is not skewed. */
+/* s a + (1 - s) b and its like of three, in floats: exact for quarters, halves and thirds of a solid that
+ * is not skewed. */
 nook_point between(nook_point a, nook_point b, float s);
 nook_point centre_of(uint32_t t);
 

@@ -1,8 +1,9 @@
-/* trees.c -- the tree of boxes itself, and what asks it for pairs: same answers from every tree, none from spoiled bits.
+/* trees.c -- the tree of boxes itself, and what asks it for pairs: same answers from every tree, none from
+ * spoiled bits.
  *
- * Trees over the same triangles, in their own order, in no order, in a thrown one and refitted after vertices moved, must
- * answer alike to the bit. Pairs are held against all pairs, T-junctions against all vertices and edges. Boxes, order and
- * tables are then filled with anything. */
+ * Trees over the same triangles, in their own order, in no order, in a thrown one and refitted after
+ * vertices moved, must answer alike to the bit. Pairs are held against all pairs, T-junctions against all
+ * vertices and edges. Boxes, order and tables are then filled with anything. */
 #include "prove.h"
 #include "solids.h"
 
@@ -17,16 +18,17 @@
 #include <string.h>
 
 static dice d = {5u};
-static uint32_t questions = 40; /* of each tree */
+static uint32_t questions = 40;   /* of each tree */
 static uint32_t spoilings = 1500; /* of each solid */
-static uint32_t large = 1000;   /* triangles */
+static uint32_t large = 1000;     /* triangles */
 static const char *running_solid = "soup";
 static uint32_t running_variant;
 
 static bool same_bits(float a, float b) { return nook_float_bits(a) == nook_float_bits(b); }
 
 static void failed_at(const char *what) {
-    (void)printf("%s: %s of %u, variant %u\n", what, running_solid, (unsigned)here.view.nt, (unsigned)running_variant);
+    (void)printf("%s: %s of %u, variant %u\n", what, running_solid, (unsigned)here.view.nt,
+                 (unsigned)running_variant);
 }
 
 static nook_point throw_place(float reach) {
@@ -37,7 +39,7 @@ static nook_point throw_place(float reach) {
     return p;
 }
 
-/* ---- sizes -------------------------------------------------------------------------------------------------- */
+/* ---- sizes ---------------------------------------------------------------------------------------- */
 
 /* Leaves of four triangles, groups of four leaves or groups, up to one; a group more is for the build. */
 static uint32_t groups_counted(uint32_t nt) {
@@ -61,7 +63,7 @@ static void boxes_have_room_for_every_level(void) {
     CHECK_EQUAL(NOOK_BVH_GROUPS(most), groups_counted(most));
 }
 
-/* ---- the same answers from every tree -------------------------------------------------------------------------- */
+/* ---- the same answers from every tree ------------------------------------------------------------- */
 
 enum { TREES = 4 };
 static struct {
@@ -107,7 +109,8 @@ static void build_slowly(uint32_t i) {
     nook_where where;
     nook_status status;
     uint32_t steps = 0, units;
-    CHECK_EQUAL(nook_bvh_begin(&state, &tree[i].bvh, &here.view, tree[i].boxes, tree[i].order, &where), NOOK_OK);
+    CHECK_EQUAL(nook_bvh_begin(&state, &tree[i].bvh, &here.view, tree[i].boxes, tree[i].order, &where),
+                NOOK_OK);
     do {
         units = 1;
         status = nook_bvh_step(&state, &units);
@@ -157,7 +160,8 @@ static void compare_rays(nook_point o, nook_point to) {
     for (i = 0; i < TREES; i++) {
         nook_ray r = cast(i, o, to, NOOK_NEAREST);
         if (!CHECK_EQUAL(r.triangle, first.triangle)) failed_at("ray");
-        CHECK(same_bits(r.t, first.t) && same_bits(r.t_min, first.t_min) && memcmp(r.w, first.w, sizeof r.w) == 0);
+        CHECK(same_bits(r.t, first.t) && same_bits(r.t_min, first.t_min) &&
+              memcmp(r.w, first.w, sizeof r.w) == 0);
         r = cast(i, o, to, NOOK_ANY);
         CHECK_EQUAL(r.triangle == NOOK_NONE, first.triangle == NOOK_NONE);
         r = cast(i, o, to, NOOK_CROSSINGS);
@@ -169,7 +173,7 @@ static void compare_rays(nook_point o, nook_point to) {
 static nook_closest nearest(uint32_t i, nook_point a, nook_point b) {
     nook_closest c;
     uint32_t units = UINT32_MAX;
-    CHECK_EQUAL(nook_closest_begin(&c, &tree[i].bvh, a, b, NOOK_MAX_T, 0), NOOK_OK);
+    CHECK_EQUAL(nook_closest_begin(&c, &tree[i].bvh, a, b, NOOK_FAR, 0), NOOK_OK);
     CHECK_EQUAL(nook_closest_step(&c, &units), NOOK_OK);
     CHECK(UINT32_MAX - units <= here.view.nt * 134 / 100 + 10);
     return c;
@@ -206,8 +210,34 @@ static void compare_inside(nook_point p) {
     }
 }
 
+/* Components of any ratio, and some of 0. */
+static nook_point throw_direction(void) {
+    nook_point to = {0, 0, 0};
+    uint32_t axis;
+    for (axis = 0; axis < 3; axis++) {
+        float x = throw_unit(&d);
+        *(&to.x + axis) = throw_dice(&d, 4) == 0 ? 0 : x * nook_power_of_two(77 + throw_dice(&d, 60));
+    }
+    if (to.x == 0 && to.y == 0) to.z = 1;
+    return to;
+}
+
+static float far_reach(void) {
+    float reach = here.size * 1000;
+    return reach < NOOK_MAX_COORDINATE * 0.25f ? reach : here.size * 10;
+}
+
 static void compare_trees(void) {
     uint32_t k;
+    for (k = 0; k < questions; k++) {
+        nook_point f = throw_place(far_reach()), to = throw_direction();
+        compare_rays(here.G[throw_dice(&d, here.view.nv)], to);
+        compare_rays(f, nook_sub(here.G[throw_dice(&d, here.view.nv)], f));
+        compare_rays(nook_sub(here.G[throw_dice(&d, here.view.nv)], nook_scaled(to, here.size * 0x1p-9f)),
+                     to);
+        compare_nearest(f, f);
+        compare_nearest(f, throw_place(here.size));
+    }
     for (k = 0; k < questions; k++) {
         nook_point p = throw_place(k % 4 == 0 ? 0 : here.size), q = throw_place(here.size * 0.1f);
         compare_nearest(p, p);
@@ -255,7 +285,8 @@ static void a_refitted_tree_answers_as_a_new_one(void) {
         make_solid(&solids[s], &variants[running_variant]);
         build_all();
         for (times = 0; times < 4; times++) {
-            for (i = 0; i < here.view.nv; i++) here.G[i] = throw_place(here.size * (times % 2 ? 3.0f : 0.01f));
+            for (i = 0; i < here.view.nv; i++)
+                here.G[i] = throw_place(here.size * (times % 2 ? 3.0f : 0.01f));
             build_as_it_is(0, tree[0].order);
             for (i = 1; i < TREES; i++) refit(i);
             compare_trees();
@@ -266,7 +297,7 @@ static void a_refitted_tree_answers_as_a_new_one(void) {
     print_figure("trees refitted", trees, "trees", since);
 }
 
-/* ---- self-intersections ---------------------------------------------------------------------------------------------- */
+/* ---- self-intersections --------------------------------------------------------------------------- */
 
 static uint8_t pairs_found[MOST_NT][MOST_NT];
 
@@ -285,7 +316,8 @@ static void find_pairs(const nook_bvh *bvh, uint32_t units_each) {
         count++;
         if (!CHECK(f.t < f.u && f.u < here.view.nt)) return;
         CHECK_EQUAL(++pairs_found[f.t][f.u], 1);
-    } while (status == NOOK_TRIANGLE || (status == NOOK_MORE && used < UINT64_C(4) * here.view.nt * here.view.nt + 1000));
+    } while (status == NOOK_TRIANGLE ||
+             (status == NOOK_MORE && used < UINT64_C(4) * here.view.nt * here.view.nt + 1000));
     CHECK_EQUAL(status, NOOK_OK);
     CHECK_EQUAL(f.count, count);
     CHECK(used * 100 <= UINT64_C(134) * here.view.nt * here.view.nt + UINT64_C(1000) * here.view.nt);
@@ -322,7 +354,8 @@ static void pairs_are_all_pairs_each_once(void) {
         for (running_variant = 0; running_variant < variant_count && !test_has_failed(); running_variant++) {
             make_solid(&solids[s], &variants[running_variant]);
             count = check_pairs();
-            if (solids[s].closed && !variants[running_variant].skew) CHECK_EQUAL(count > 0, strcmp(running_solid, "two spheres") == 0);
+            if (solids[s].closed && !variants[running_variant].skew)
+                CHECK_EQUAL(count > 0, strcmp(running_solid, "two spheres") == 0);
             all += count;
             drop_world();
         }
@@ -336,13 +369,14 @@ static void pairs_are_all_pairs_each_once(void) {
     print_figure("pairs of triangles that intersect", all, "pairs", since);
 }
 
-/* ---- T-junctions -------------------------------------------------------------------------------------------------------- */
+/* ---- T-junctions ---------------------------------------------------------------------------------- */
 
 static uint8_t junction_found[3 * MOST_NT][MOST_NV];
 static uint32_t junctions, doubtful;
 
 static long double apart(const long double *a, const long double *b) {
-    return sqrtl((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+    return sqrtl((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                 (a[2] - b[2]) * (a[2] - b[2]));
 }
 
 /* 1: v lies within the edge that c faces; 0: it does not; 2: too near to say. */
@@ -388,7 +422,9 @@ static void compare_junctions(float tolerance) {
     uint32_t c, v;
     for (c = 0; c < 3 * here.view.nt; c++) {
         for (v = 0; v < here.view.nv; v++) {
-            int expected = here.O[c] != c || here.C[v] == NOOK_STORED_NONE ? 0 : within_edge(c, v, (long double)tolerance);
+            int expected = here.O[c] != c || here.C[v] == NOOK_STORED_NONE
+                               ? 0
+                               : within_edge(c, v, (long double)tolerance);
             junctions += expected == 1;
             doubtful += expected == 2;
             if (expected != 2 && !CHECK_EQUAL(junction_found[c][v], expected)) failed_at("T-junction");
@@ -420,7 +456,7 @@ static void t_junctions_are_all_vertices_within_border_edges(void) {
     print_figure("vertices within border edges", junctions, "T-junctions", since);
 }
 
-/* ---- any bits -------------------------------------------------------------------------------------------------------------- */
+/* ---- any bits ------------------------------------------------------------------------------------- */
 
 static uint32_t spoiled, refused;
 
@@ -473,7 +509,7 @@ static void ask_spoiled(const nook_bvh *bvh) {
     nook_inside in;
     uint32_t units = UINT32_MAX, bound = here.view.nt * 134 / 100 + 10;
     ask_spoiled_rays(bvh, p, nook_sub(q, p));
-    CHECK_EQUAL(nook_closest_begin(&c, bvh, p, q, NOOK_MAX_T, 0), NOOK_OK);
+    CHECK_EQUAL(nook_closest_begin(&c, bvh, p, q, NOOK_FAR, 0), NOOK_OK);
     is_expected(nook_closest_step(&c, &units));
     CHECK(UINT32_MAX - units <= bound);
     CHECK(c.triangle == NOOK_NONE || c.triangle < here.view.nt);
@@ -518,7 +554,8 @@ static void keep_or_restore(bool restore) {
                 {O, here.O, 3 * nt * sizeof *O},
                 {C, here.C, nv * sizeof *C}};
     uint32_t i;
-    for (i = 0; i < 5; i++) memcpy(restore ? all[i].used : all[i].kept, restore ? all[i].kept : all[i].used, all[i].bytes);
+    for (i = 0; i < 5; i++)
+        memcpy(restore ? all[i].used : all[i].kept, restore ? all[i].kept : all[i].used, all[i].bytes);
 }
 
 static void spoil_and_ask(void) {

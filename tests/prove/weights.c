@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* ---- the theorem ------------------------------------------------------------------------------------- */
+/* ---- the theorem ---------------------------------------------------------------------------------- */
 
 /* Whether the weights are all >= 0 or all <= 0, and not all 0. */
 static bool agree(const int *weight, uint32_t n) {
@@ -71,7 +71,7 @@ bool zero_is_mean(const signs *s) {
     return false;
 }
 
-/* ---- integers ---------------------------------------------------------------------------------------- */
+/* ---- integers ------------------------------------------------------------------------------------- */
 
 __extension__ typedef __int128 wide;
 
@@ -140,7 +140,7 @@ bool has_no_area(const vector p[3]) {
     return component(&u, &v, 0) == 0 && component(&u, &v, 1) == 0 && component(&u, &v, 2) == 0;
 }
 
-/* ---- floats on a lattice ----------------------------------------------------------------------------- */
+/* ---- floats on a lattice -------------------------------------------------------------------------- */
 
 static float coordinate(nook_point p, uint32_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
@@ -191,9 +191,10 @@ vector take_point(lattice l, nook_point p) {
     return v;
 }
 
-/* ---- any floats -------------------------------------------------------------------------------------- */
+/* ---- any floats ----------------------------------------------------------------------------------- */
 
-/* Difference i is that of points p[2 i] and p[2 i + 1]; its determinant with two others, or with another and an axis. */
+/* Difference i is that of points p[2 i] and p[2 i + 1]; its determinant with two others, or with another
+ * and an axis. */
 static int8_t big_sign(const nook_point *p, uint32_t i, uint32_t j, uint32_t k) {
     nook_point q[6];
     memcpy(q, p + 2 * i, 2 * sizeof *q);
@@ -230,5 +231,31 @@ bool big_triangles_meet(const nook_point a[3], const nook_point b[3]) {
         p[2 * i + 1] = b[i % 3];
     }
     find_big_signs(&s, p, 9);
+    return zero_is_mean(&s);
+}
+
+static void take_corners(nook_point *p, nook_point from, const nook_point triangle[3]) {
+    uint32_t i;
+    for (i = 0; i < 3; i++) {
+        p[2 * i] = from;
+        p[2 * i + 1] = triangle[i];
+    }
+}
+
+bool big_ray_meets(nook_point origin, nook_point direction, const nook_point triangle[3]) {
+    static signs s;
+    nook_point p[2 * (4 + 3)];
+    take_corners(p, origin, triangle);
+    p[6] = direction;
+    p[7] = nook_make(0, 0, 0);
+    find_big_signs(&s, p, 4);
+    return zero_is_mean(&s);
+}
+
+bool big_point_is_on(nook_point point, const nook_point triangle[3]) {
+    static signs s;
+    nook_point p[2 * (3 + 3)];
+    take_corners(p, point, triangle);
+    find_big_signs(&s, p, 3);
     return zero_is_mean(&s);
 }

@@ -1,10 +1,11 @@
 /* weights.h -- the oracle of meetings: exact, from one theorem.
  *
- * Two convex hulls meet if and only if 0 is a mean, with weights that are not negative, of the differences of their
- * points; a ray from o along d meets a triangle a b c if and only if 0 is such a mean of a - o, b - o, c - o and -d. By
- * Caratheodory four of the vectors are enough, so all ones, twos, threes and fours are tried; Cramer gives their weights.
- * Nothing here knows of planes, sides or projections, and no case is special. The numbers are integers: floats on a
- * common unit of 2^-40 of the largest (lattice), or of any length (big.h). */
+ * Two convex hulls meet if and only if 0 is a mean, with weights that are not negative, of the differences
+ * of their points; a ray from o along d meets a triangle a b c if and only if 0 is such a mean of a - o, b
+ * - o, c - o and -d. By Caratheodory four of the vectors are enough, so all ones, twos, threes and fours
+ * are tried; Cramer gives their weights. Nothing here knows of planes, sides or projections, and no case
+ * is special. The numbers are integers: floats on a common unit of 2^-40 of the largest (lattice), or of
+ * any length (big.h). */
 #ifndef WEIGHTS_H
 #define WEIGHTS_H
 
@@ -14,8 +15,8 @@ typedef struct vector {
     int64_t at[3];
 } vector;
 
-/* Signs of what is known of n vectors: coordinates, components of the cross product of two, determinants of three. Those
- * of i < j < k are filled in. */
+/* Signs of what is known of n vectors: coordinates, components of the cross product of two, determinants
+ * of three. Those of i < j < k are filled in. */
 enum { MOST_VECTORS = 9 };
 typedef struct signs {
     uint32_t n;
@@ -37,7 +38,8 @@ bool ray_meets(const vector *origin, const vector *direction, const vector trian
 /* Whether the triangle lies on a line. */
 bool has_no_area(const vector p[3]);
 
-/* The lattice: a unit of 2^place. A point must be on it: on_lattice() says so, to_lattice() brings it there. */
+/* The lattice: a unit of 2^place. A point must be on it: on_lattice() says so, to_lattice() brings it
+ * there. */
 typedef struct lattice {
     int place;
 } lattice;
@@ -47,7 +49,9 @@ bool on_lattice(lattice l, nook_point p);
 nook_point to_lattice(lattice l, nook_point p);
 vector take_point(lattice l, nook_point p);
 
-/* Triangles of any floats, in integers of any length: slow. */
+/* Any floats, in integers of any length: slow. */
 bool big_triangles_meet(const nook_point a[3], const nook_point b[3]);
+bool big_ray_meets(nook_point origin, nook_point direction, const nook_point triangle[3]);
+bool big_point_is_on(nook_point p, const nook_point triangle[3]);
 
 #endif

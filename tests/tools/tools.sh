@@ -3,6 +3,7 @@
 # on Debian installs what is missing. The one list of packages; continuous integration uses it too.
 packages="gcc g++ make python3 clang clang-tidy clang-format cppcheck gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm"
 echo "On Debian: apt-get install --no-install-recommends $packages libclang-rt-NN-dev (NN: clang's version)"
+echo "For bench, where each may be missing: libdraco-dev libembree-dev libbullet-dev libode-dev libfcl-dev libcgal-dev"
 if ! command -v apt-get >/dev/null || [ "$(id -u)" != 0 ]; then
     echo "Not root on Debian: nothing is installed."
     exit 0
