@@ -26,7 +26,7 @@ typedef struct nook_sides {
 static inline void nook_add_side(nook_sides *s, const nook_several *a, nook_vectors n, nook_lanes size,
                                  const nook_several *b, uint32_t j) {
     nook_vectors d = nook_vectors_sub(b->p[j], a->p[0]);
-    nook_lanes h = n.x * d.x + n.y * d.y + n.z * d.z;
+    nook_lanes h = nook_vectors_dot(n, d);
     nook_lanes margin = size * nook_largest(d) * nook_lanes_of(0x1p-17f) + nook_lanes_of(0x1p-120f);
     nook_flags shared = nook_is_shared(a, 0, b, j) | nook_is_shared(a, 1, b, j) | nook_is_shared(a, 2, b, j);
     s->above = s->above & ((h > margin) | shared);
@@ -37,7 +37,7 @@ static inline void nook_add_side(nook_sides *s, const nook_several *a, nook_vect
 /* Whether b touches the plane of a in shared corners only, and else lies on one side. Then it meets a nowhere else. */
 static inline nook_flags nook_is_on_one_side(const nook_several *a, const nook_several *b) {
     nook_vectors e = nook_vectors_sub(a->p[1], a->p[0]), f = nook_vectors_sub(a->p[2], a->p[0]);
-    nook_vectors n = {e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x};
+    nook_vectors n = nook_vectors_cross(e, f);
     nook_lanes size = nook_largest(e) * nook_largest(f);
     nook_flags all = nook_all_flags();
     nook_sides s = {all, all, all};

@@ -148,64 +148,93 @@ static void found(nook_closest *q, uint32_t t, const nearest *n) {
     q->point = along(q->a, n->point, 1.0f / q->scale);
 }
 
-/* Some triangles from a place on, seen from the beginning of the segment. */
+/* ---- leaves --------------------------------------------------------------------------------------- */
+
+/* Some triangles from a place on. */
 typedef struct some {
     uint32_t t[NOOK_LANES];
     const nook_point *at[NOOK_LANES][3];
-    nook_point p[NOOK_LANES][3];
+    float square[NOOK_LANES]; /* of a distance that they are not nearer than */
 } some;
 
-static bool gather(const nook_closest *q, uint32_t place, some *x) {
-    uint32_t last = q->bvh->view.nt - 1u, k, i;
+/* How far the box of the segment is from those of some triangles, squared; both from the segment's beginning. */
+static nook_lanes square_of_boxes(const nook_closest *q, const nook_vectors p[3]) {
+    nook_vectors low = nook_vectors_smaller(nook_vectors_smaller(p[0], p[1]), p[2]);
+    nook_vectors high = nook_vectors_larger(nook_vectors_larger(p[0], p[1]), p[2]);
+    nook_point d = nook_scaled(nook_sub(q->b, q->a), q->scale), zero = nook_make(0, 0, 0);
+    nook_vectors from = nook_vectors_of(nook_low(d, zero)), to = nook_vectors_of(nook_high(d, zero));
+    nook_vectors off = nook_vectors_larger(nook_vectors_sub(low, to), nook_vectors_sub(from, high));
+    off = nook_vectors_larger(off, nook_vectors_of(zero));
+    return nook_vectors_dot(off, off);
+}
+
+#if NOOK_LANES > 1
+/* How far the edge from a to b is from 0, squared. */
+static inline nook_lanes square_of_edge(nook_vectors a, nook_vectors b) {
+    nook_vectors d = nook_vectors_sub(b, a), x;
+    nook_lanes t = -nook_vectors_dot(a, d) / nook_vectors_dot(d, d);
+    t = nook_smaller(nook_larger(t, nook_lanes_of(0)), nook_lanes_of(1.0f));
+    x.x = a.x + t * d.x, x.y = a.y + t * d.y, x.z = a.z + t * d.z;
+    return nook_vectors_dot(x, x);
+}
+
+/* How far some triangles are from 0, squared: that of the nearest edge, or where 0 is above the inside, of the boxes. */
+static nook_lanes square_of_triangles(const nook_vectors p[3], nook_lanes boxes) {
+    nook_vectors n = nook_vectors_cross(nook_vectors_sub(p[1], p[0]), nook_vectors_sub(p[2], p[0]));
+    nook_lanes ab = nook_vectors_dot(nook_vectors_cross(p[0], p[1]), n), square, zero = nook_lanes_of(0);
+    nook_lanes bc = nook_vectors_dot(nook_vectors_cross(p[1], p[2]), n), ca;
+    ca = nook_vectors_dot(nook_vectors_cross(p[2], p[0]), n);
+    square = nook_smaller(square_of_edge(p[0], p[1]), square_of_edge(p[1], p[2]));
+    square = nook_smaller(square, square_of_edge(p[2], p[0]));
+    square = nook_if(nook_not((ab > zero) & (bc > zero) & (ca > zero)), square);
+    return nook_larger(square, boxes);
+}
+#endif
+
+static inline bool gather(const nook_closest *q, uint32_t place, some *x) {
+    uint32_t last = q->bvh->view.nt - 1u, k;
+    nook_points points[3];
+    nook_vectors p[3], a = nook_vectors_of(q->a);
+    nook_lanes square;
     for (k = 0; k < NOOK_LANES; k++) {
         x->t[k] = nook_triangle_at(q->bvh, place + k < last ? place + k : last);
         if (!nook_points_of(q->bvh, x->t[k], x->at[k])) return false;
-        for (i = 0; i < 3u; i++) x->p[k][i] = nook_scaled(nook_sub(*x->at[k][i], q->a), q->scale);
+        nook_set_point(&points[0], k, x->at[k][0]);
+        nook_set_point(&points[1], k, x->at[k][1]);
+        nook_set_point(&points[2], k, x->at[k][2]);
     }
+    for (k = 0; k < 3u; k++)
+        p[k] = nook_vectors_scaled(nook_vectors_sub(nook_vectors_at(&points[k]), a), q->scale);
+    square = square_of_boxes(q, p);
+#if NOOK_LANES > 1
+    if (!q->is_segment) square = square_of_triangles(p, square);
+#endif
+    memcpy(x->square, &square, sizeof x->square);
     return true;
 }
 
-/* Which of them have boxes near enough to that of the segment. */
-static nook_flags are_near(const nook_closest *q, const some *x, nook_point d) {
-    nook_lanes square = nook_lanes_of(0);
-    uint32_t axis, k, i;
-    for (axis = 0; axis < 3u; axis++) {
-        float c[3][NOOK_LANES], end = nook_along(&d, axis);
-        nook_lanes low, high;
-        for (k = 0; k < NOOK_LANES; k++) {
-            for (i = 0; i < 3u; i++) c[i][k] = nook_along(&x->p[k][i], axis);
-        }
-        low = nook_smaller(nook_smaller(nook_lanes_at(c[0]), nook_lanes_at(c[1])), nook_lanes_at(c[2]));
-        high = nook_larger(nook_larger(nook_lanes_at(c[0]), nook_lanes_at(c[1])), nook_lanes_at(c[2]));
-        low = nook_larger(low - nook_lanes_of(end > 0 ? end : 0), nook_lanes_of(end < 0 ? end : 0) - high);
-        low = nook_larger(low, nook_lanes_of(0));
-        square = square + low * low;
-    }
-    return square <= nook_lanes_of(q->reach);
-}
-
-static void look_at(nook_closest *q, const some *x, uint32_t k, nook_point d) {
+static void look_at(nook_closest *q, uint32_t t, const nook_point *const at[3]) {
     const nook_point *const segment[3] = {&q->a, &q->b, &q->b};
+    nook_point p[3];
     nearest n = {{0, 0, 0}, 0, 0x1p127f, false};
-    consider_triangle(&n, x->p[k], nook_make(0, 0, 0), 0);
+    uint32_t i;
+    for (i = 0; i < 3u; i++) p[i] = nook_scaled(nook_sub(*at[i], q->a), q->scale);
+    consider_triangle(&n, p, nook_make(0, 0, 0), 0);
     if (q->is_segment) {
-        consider_segment(&n, d, x->p[k]);
-        n.crosses = nook_triangles_meet(segment, x->at[k]);
+        consider_segment(&n, nook_scaled(nook_sub(q->b, q->a), q->scale), p);
+        n.crosses = nook_triangles_meet(segment, at);
         if (n.crosses) n.square = 0;
     }
-    found(q, x->t[k], &n);
+    found(q, t, &n);
 }
 
 static bool visit_leaf(nook_closest *q) {
     uint32_t place = 4u * q->descent.node, end = place + 4u, nt = q->bvh->view.nt, k;
-    nook_point d = nook_scaled(nook_sub(q->b, q->a), q->scale);
     for (; place < end && place < nt; place += NOOK_LANES) {
-        nook_flags near;
         some x;
         if (!gather(q, place, &x)) return false;
-        near = are_near(q, &x, d);
         for (k = 0; k < NOOK_LANES && place + k < nt; k++) {
-            if (nook_flag(near, k)) look_at(q, &x, k, d);
+            if (x.square[k] <= q->reach) look_at(q, x.t[k], x.at[k]);
         }
     }
     nook_descent_leave(&q->descent);

@@ -120,6 +120,20 @@ static inline nook_vectors nook_vectors_larger(nook_vectors a, nook_vectors b) {
     return c;
 }
 
+static inline nook_vectors nook_vectors_scaled(nook_vectors a, float s) {
+    nook_vectors b = {a.x * nook_lanes_of(s), a.y * nook_lanes_of(s), a.z * nook_lanes_of(s)};
+    return b;
+}
+
+static inline nook_lanes nook_vectors_dot(nook_vectors a, nook_vectors b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline nook_vectors nook_vectors_cross(nook_vectors a, nook_vectors b) {
+    nook_vectors c = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    return c;
+}
+
 static inline nook_lanes nook_largest(nook_vectors a) {
     return nook_larger(nook_larger(nook_magnitude(a.x), nook_magnitude(a.y)), nook_magnitude(a.z));
 }

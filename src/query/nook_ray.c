@@ -60,11 +60,6 @@ typedef struct sides {
 
 static bool differ(int a, int b) { return a * b < 0; }
 
-static inline nook_lanes passing(nook_point d, nook_vectors a, nook_vectors b) {
-    return (a.y * b.z - a.z * b.y) * nook_lanes_of(d.x) + (a.z * b.x - a.x * b.z) * nook_lanes_of(d.y) +
-           (a.x * b.y - a.y * b.x) * nook_lanes_of(d.z);
-}
-
 /* How the line passes some triangles: past, where two edges are on different sides by more than rounding can do; out or in
  * through, where all are on one. That settles nearly all; the exact signs settle the rest. */
 typedef struct judgement {
@@ -75,8 +70,10 @@ static inline judgement judge(const nook_ray *r, const nook_points p[3]) {
     nook_vectors o = nook_vectors_of(r->origin), a = nook_vectors_sub(nook_vectors_at(&p[0]), o);
     nook_vectors b = nook_vectors_sub(nook_vectors_at(&p[1]), o),
                  c = nook_vectors_sub(nook_vectors_at(&p[2]), o);
-    nook_point d = toward(r);
-    nook_lanes ab = passing(d, a, b), bc = passing(d, b, c), ca = passing(d, c, a);
+    nook_vectors d = nook_vectors_of(toward(r));
+    nook_lanes ab = nook_vectors_dot(nook_vectors_cross(a, b), d),
+               bc = nook_vectors_dot(nook_vectors_cross(b, c), d);
+    nook_lanes ca = nook_vectors_dot(nook_vectors_cross(c, a), d);
     nook_lanes far = nook_larger(nook_larger(nook_largest(a), nook_largest(b)), nook_largest(c));
     nook_lanes margin = far * far * nook_lanes_of(0x1p-17f) + nook_lanes_of(0x1p-120f);
     nook_lanes least = nook_smaller(nook_smaller(ab, bc), ca), most = nook_larger(nook_larger(ab, bc), ca);
