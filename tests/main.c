@@ -22,6 +22,8 @@ int main(void) {
     test_sew();
     test_hull();
     test_query();
+    test_bvh();
+    test_meet();
     test_conditions();
     test_verdict();
     test_worlds();

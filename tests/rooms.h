@@ -15,6 +15,8 @@ void test_edit(void);
 void test_sew(void);
 void test_hull(void);
 void test_query(void);
+void test_bvh(void);
+void test_meet(void);
 void test_conditions(void);
 void test_verdict(void);
 void test_worlds(void);

@@ -23,20 +23,6 @@ static inline void visit_group(nook_inside *q) {
 
 /* ---- triangles ------------------------------------------------------------------------------------ */
 
-typedef struct range {
-    float low, high;
-} range;
-
-static range range_of(const nook_point *const p[3], uint32_t axis) {
-    float a = nook_along(p[0], axis), b = nook_along(p[1], axis), c = nook_along(p[2], axis);
-    range r = {a < b ? a : b, a > b ? a : b};
-    if (c < r.low) r.low = c;
-    if (c > r.high) r.high = c;
-    return r;
-}
-
-static bool holds(range r, float x) { return r.low <= x && x <= r.high; }
-
 /* Whether the point lies on the triangle; it lies in its plane. */
 static bool is_on(const nook_point *const p[3], const nook_point *x) {
     uint32_t axis, i;
@@ -64,35 +50,51 @@ static int turn_of(const nook_inside *q, const nook_point *const p[3]) {
     return turn;
 }
 
-static void look_at(nook_inside *q, uint32_t t, const nook_point *const p[3]) {
-    uint32_t u = nook_after(q->axis), v = nook_after(u);
-    range x = range_of(p, q->axis);
-    float height = nook_along(&q->point, q->axis);
-    bool level = holds(x, height), ahead;
-    int turn;
-    if (!holds(range_of(p, u), nook_along(&q->point, u)) || !holds(range_of(p, v), nook_along(&q->point, v)))
-        return;
-    if (!level && (q->sign > 0) == (x.high < height)) return;
-    turn = turn_of(q, p);
-    if (!level) {
-        ahead = true;
-    } else {
+/* level: the point is between the corners along the axis, so that its side decides; else the triangle is ahead. */
+static void look_at(nook_inside *q, uint32_t t, const nook_point *const p[3], bool level) {
+    int turn = turn_of(q, p);
+    if (level) {
         int side = nook_orient3d(p[0], p[1], p[2], &q->point);
         if (side == 0 && t < q->on && is_on(p, &q->point)) q->on = t;
-        ahead = side * turn * q->sign < 0;
+        if (side * turn * q->sign >= 0) return;
     }
-    if (turn == 0 || !ahead) return;
-    q->crossings++;
+    q->crossings += turn != 0;
     q->winding += turn * q->sign;
+}
+
+/* Of some triangles, from a place on, those are looked at that lie about the line. */
+static inline bool visit_some(nook_inside *q, uint32_t place) {
+    uint32_t t[NOOK_LANES], last = q->bvh->view.nt - 1u, k, u = nook_after(q->axis), v = nook_after(u);
+    const nook_point *p[NOOK_LANES][3];
+    nook_points points[3];
+    nook_vectors low, high, x = nook_vectors_of(q->point);
+    nook_flags below[3], above[3], level, ahead, about;
+    for (k = 0; k < NOOK_LANES; k++) {
+        t[k] = nook_triangle_at(q->bvh, place + k < last ? place + k : last);
+        if (!nook_points_of(q->bvh, t[k], p[k])) return false;
+        nook_set_point(&points[0], k, p[k][0]);
+        nook_set_point(&points[1], k, p[k][1]);
+        nook_set_point(&points[2], k, p[k][2]);
+    }
+    low = nook_vectors_smaller(nook_vectors_smaller(nook_vectors_at(&points[0]), nook_vectors_at(&points[1])),
+                               nook_vectors_at(&points[2]));
+    high = nook_vectors_larger(nook_vectors_larger(nook_vectors_at(&points[0]), nook_vectors_at(&points[1])),
+                               nook_vectors_at(&points[2]));
+    below[0] = low.x <= x.x, below[1] = low.y <= x.y, below[2] = low.z <= x.z;
+    above[0] = x.x <= high.x, above[1] = x.y <= high.y, above[2] = x.z <= high.z;
+    level = below[q->axis] & above[q->axis];
+    ahead = q->sign > 0 ? above[q->axis] : below[q->axis];
+    about = below[u] & above[u] & below[v] & above[v] & ahead;
+    for (k = 0; k < NOOK_LANES && place + k <= last; k++) {
+        if (nook_flag(about, k)) look_at(q, t[k], p[k], nook_flag(level, k));
+    }
+    return true;
 }
 
 static bool visit_leaf(nook_inside *q) {
     uint32_t place = 4u * q->descent.node, end = place + 4u, nt = q->bvh->view.nt;
-    for (; place < end && place < nt; place++) {
-        uint32_t t = nook_triangle_at(q->bvh, place);
-        const nook_point *p[3];
-        if (!nook_points_of(q->bvh, t, p)) return false;
-        look_at(q, t, p);
+    for (; place < end && place < nt; place += NOOK_LANES) {
+        if (!visit_some(q, place)) return false;
     }
     nook_descent_leave(&q->descent);
     return true;

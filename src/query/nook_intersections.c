@@ -127,7 +127,8 @@ static nook_flags may_meet(const nook_several *a, const nook_several *b, uint32_
 }
 
 /* Bits 4 i + j + k of pairs: place i of the leaf may meet places j + k of the node, k a lane. */
-static bool find_pairs_of(nook_intersections *q, uint32_t i, const nook_several *b, uint32_t j) {
+static bool find_pairs_of(const nook_intersections *q, uint32_t i, const nook_several *b, uint32_t j,
+                          uint32_t *pairs) {
     uint32_t k, place = 4u * q->leaf + i, other = 4u * q->descent.node + j, nt = q->bvh->view.nt;
     uint32_t t = triangle_near(q->bvh, place);
     nook_several a;
@@ -136,21 +137,21 @@ static bool find_pairs_of(nook_intersections *q, uint32_t i, const nook_several 
     some = may_meet(&a, b, broadest(q->bvh, t));
     for (k = 0; k < NOOK_LANES; k++) {
         if (nook_flag(some, k) && place < other + k && other + k < nt)
-            q->pairs |= (uint32_t)1 << (4u * i + j + k);
+            *pairs |= (uint32_t)1 << (4u * i + j + k);
     }
     return true;
 }
 
 NOOK_APART static bool find_pairs(nook_intersections *q) {
-    uint32_t i, j;
-    q->pairs = 0;
+    uint32_t i, j, pairs = 0;
     for (j = 0; j < 4u; j += NOOK_LANES) {
         nook_several b;
         if (!gather(q->bvh, 4u * q->descent.node + j, &b)) return false;
         for (i = 0; i < 4u; i++) {
-            if (!find_pairs_of(q, i, &b, j)) return false;
+            if (!find_pairs_of(q, i, &b, j, &pairs)) return false;
         }
     }
+    q->pairs = pairs;
     return true;
 }
 

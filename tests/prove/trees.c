@@ -477,12 +477,20 @@ static void strike(void *array, size_t bytes, uint32_t faults) {
     }
 }
 
+/* One entry is the first that does not exist. */
+static void strike_one(nook_index *array, uint32_t entries, uint32_t end) {
+    uint32_t i = throw_dice(&d, entries);
+    array[i] = nook_store(end);
+}
+
 static void spoil(void) {
     uint32_t what = 1 + throw_dice(&d, 31), faults = throw_dice(&d, 4), nt = here.view.nt;
     if (what & 1) strike(tree[0].boxes, NOOK_BVH_GROUPS(nt) * sizeof(nook_boxes), faults);
     if (what & 2) strike(tree[0].order, nt * sizeof(nook_index), faults);
     if (what & 4) strike(here.V, 3 * nt * sizeof(nook_index), faults);
     if (what & 8) strike(here.O, 3 * nt * sizeof(nook_index), faults);
+    if (faults == 1 && (what & 2)) strike_one(tree[0].order, nt, nt);
+    if (faults == 1 && (what & 4)) strike_one(here.V, 3 * nt, here.view.nv);
     if (what & 16) strike(here.C, here.view.nv * sizeof(nook_index), faults);
 }
 

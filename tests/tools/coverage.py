@@ -4,11 +4,12 @@
 usage: coverage.py [BITS...]    index widths, 16 and 32 unless given; CC and GCOV from the environment
 
 Library and tests are built once a width into build/coverageBITS, with gcc (9 or newer) and no tool beyond
-its gcov, and run on this machine; the 16-bit build is that of a core without FPU. At -O0 every condition is
-a branch with two ways out, and a switch has a way to each of its targets. A way counts as taken if any
-translation unit of any width took it, so one user of a header's inline function is enough to cover it; a way
-is known by its file, its line and its position among the ways of that line. What nobody calls is kept in
-the objects, since it must be covered too. Of the tests, only what they inline from src/ is measured.
+its gcov, and run on this machine; the 16-bit build is that of a core without FPU, one lane wide (NOOK_LANES),
+the 32-bit build has both as this machine has. At -O0 every condition is a branch with two ways out, and a
+switch has a way to each of its targets. A way counts as taken if any translation unit of any width took it,
+so one user of a header's inline function is enough to cover it; a way is known by its file, its line and its
+position among the ways of that line. What nobody calls is kept in the objects, since it must be covered too.
+Of the tests, only what they inline from src/ is measured.
 
 Where decisions.py finds no fault, all of this is MC/DC (its head says why). What gcc makes one instruction
 of even at -O0 has no branch to take: a < b ? a : b is a minimum, x < 0 ? -x : x an absolute value.
@@ -30,6 +31,7 @@ def start(bits):
         old.unlink()
     elf = f'{folder}/tests.elf'
     width = [f'-DNOOK_INDEX_BITS={bits}', f'-DNOOK_HAS_FPU={int(bits != "16")}']
+    width += ['-DNOOK_LANES=1'] if bits == '16' else []
     command = ['sh', '-c', '"$@" && exec "$0"', elf, CC, *FLAGS, *width, *SOURCES, '-o', elf]
     return folder, subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
 
