@@ -389,6 +389,26 @@ static void of_a_pile_all_pairs_intersect(void) {
     }
 }
 
+/* Those of a row are apart, and so are their leaves: each begins, and goes by the root and one group to
+ * itself. Of a pile each leaf meets all; but what comes before is passed by, a group of four at once. */
+static void a_search_goes_only_where_boxes_overlap_and_not_where_it_has_been(void) {
+    uint32_t axis, i;
+    for (axis = 0; axis < 3; axis++) {
+        begin();
+        while (m.view.nt < 41) {
+            for (i = 0; i < 3; i++) {
+                float along = (float)(6 * m.view.nt + i);
+                m.G[m.view.nv++] = turned(nook_make(along, i == 1, i == 2), axis);
+            }
+            triangle(m.view.nv - 3, m.view.nv - 2, m.view.nv - 1);
+        }
+        CHECK_EQUAL(nook_bvh_build(&m.bvh, &m.view, m.tree.boxes, NULL, NULL), NOOK_OK);
+        CHECK(finds_what_trying_all_pairs_finds(5) <= 11 * 4);
+    }
+    pile(41);
+    CHECK(finds_what_trying_all_pairs_finds(5) <= 4 * (2 + 3 + 11) + 4 * (2 + 3 + 7) + 3 * (2 + 3 + 3));
+}
+
 static void the_search_for_pairs_ends_at_what_is_spoiled(void) {
     nook_intersections q;
     nook_status status;
@@ -578,6 +598,7 @@ static const test tests[] = {
     TEST(vertices_are_told_apart_by_number_not_by_place),
     TEST(a_tree_finds_the_pairs_that_trying_all_of_them_finds),
     TEST(of_a_pile_all_pairs_intersect),
+    TEST(a_search_goes_only_where_boxes_overlap_and_not_where_it_has_been),
     TEST(spoiled_tables_end_the_search_for_pairs),
     TEST(a_search_without_a_tree_is_refused),
     TEST(every_vertex_between_two_teeth_of_a_comb_is_a_t_junction),

@@ -12,6 +12,7 @@ typedef struct nook_several {
     nook_vectors p[3];
 } nook_several;
 
+#if NOOK_LANES > 1
 /* Whether corner j of some triangles is corner i of others. */
 static inline nook_flags nook_is_shared(const nook_several *a, uint32_t i, const nook_several *b,
                                         uint32_t j) {
@@ -89,5 +90,6 @@ static inline nook_flags nook_is_beside(const nook_several *a, const nook_seen *
     return nook_edge_parts(a, x, 0, 1, b, y) | nook_edge_parts(a, x, 1, 2, b, y) |
            nook_edge_parts(a, x, 2, 0, b, y);
 }
+#endif
 
 #endif

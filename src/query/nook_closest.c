@@ -281,8 +281,9 @@ nook_status nook_closest_begin(nook_closest *q, const nook_bvh *bvh, nook_point 
     nook_status status = nook_bvh_status(bvh);
     if (q == NULL) return NOOK_NULL_ARGUMENT;
     if (status != NOOK_OK) return status;
-    if (nook_point_status(a) != NOOK_OK) return nook_point_status(a);
-    if (nook_point_status(b) != NOOK_OK) return nook_point_status(b);
+    status = nook_point_status(a);
+    if (status == NOOK_OK) status = nook_point_status(b);
+    if (status != NOOK_OK) return status;
     memset(q, 0, sizeof *q);
     q->triangle = NOOK_NONE;
     q->bvh = bvh;

@@ -117,7 +117,8 @@ nook_status nook_inside_begin(nook_inside *q, const nook_bvh *bvh, nook_point po
     nook_status status = nook_bvh_status(bvh);
     if (q == NULL) return NOOK_NULL_ARGUMENT;
     if (status != NOOK_OK) return status;
-    if (nook_point_status(point) != NOOK_OK) return nook_point_status(point);
+    status = nook_point_status(point);
+    if (status != NOOK_OK) return status;
     memset(q, 0, sizeof *q);
     q->on = NOOK_NONE;
     q->bvh = bvh;
@@ -166,8 +167,9 @@ nook_status nook_signed_distance(nook_closest *closest, const nook_bvh *bvh, noo
 /* ---- winding number ------------------------------------------------------------------------------- */
 
 nook_status nook_winding_begin(nook_winding *w, const nook_view *view, nook_point point) {
+    nook_status status = nook_point_status(point);
     if (w == NULL || view == NULL) return NOOK_NULL_ARGUMENT;
-    if (nook_point_status(point) != NOOK_OK) return nook_point_status(point);
+    if (status != NOOK_OK) return status;
     memset(w, 0, sizeof *w);
     w->view = view;
     w->point = point;

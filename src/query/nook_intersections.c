@@ -104,6 +104,7 @@ static nook_vectors high_of(const nook_several *a) {
     return nook_vectors_larger(nook_vectors_larger(a->p[0], a->p[1]), a->p[2]);
 }
 
+#if NOOK_LANES > 1
 /* The axis along which a triangle is seen largest. */
 static uint32_t broadest(const nook_bvh *bvh, uint32_t t) {
     nook_point a = nook_point_at(&bvh->view, 3u * t), b = nook_point_at(&bvh->view, 3u * t + 1u);
@@ -111,18 +112,24 @@ static uint32_t broadest(const nook_bvh *bvh, uint32_t t) {
     float x = nook_abs(n.x), y = nook_abs(n.y), z = nook_abs(n.z);
     return x > y ? (x > z ? 0 : 2u) : (y > z ? 1u : 2u);
 }
+#endif
 
-/* Which pairs of a triangle, the same in all lanes, and others may intersect. */
-static nook_flags may_meet(const nook_several *a, const nook_several *b, uint32_t axis) {
+/* Which pairs of a triangle, the same in all lanes, and others may intersect. One by one, nook_pair.h is as quick. */
+static nook_flags may_meet(const nook_bvh *bvh, uint32_t t, const nook_several *a, const nook_several *b) {
     nook_vectors low = low_of(a), high = high_of(a), from = low_of(b), to = high_of(b);
     nook_flags some = (from.x <= high.x) & (from.y <= high.y) & (from.z <= high.z) & (to.x >= low.x) &
                       (to.y >= low.y) & (to.z >= low.z);
-    if (!NOOK_HAS_FPU || !nook_any_flag(some)) return some;
+#if NOOK_LANES > 1
+    uint32_t axis = broadest(bvh, t);
+    nook_seen x, y;
+    if (!nook_any_flag(some)) return some;
     some = some & nook_not(nook_is_on_one_side(a, b) | nook_is_on_one_side(b, a));
-    if (nook_any_flag(some)) {
-        nook_seen x = nook_see(a, axis), y = nook_see(b, axis);
-        some = some & nook_not(nook_is_beside(a, &x, b, &y) | nook_is_beside(b, &y, a, &x));
-    }
+    if (!nook_any_flag(some)) return some;
+    x = nook_see(a, axis), y = nook_see(b, axis);
+    some = some & nook_not(nook_is_beside(a, &x, b, &y) | nook_is_beside(b, &y, a, &x));
+#else
+    (void)bvh, (void)t;
+#endif
     return some;
 }
 
@@ -134,7 +141,7 @@ static bool find_pairs_of(const nook_intersections *q, uint32_t i, const nook_se
     nook_several a;
     nook_flags some;
     if (!gather_one(q->bvh, t, &a)) return false;
-    some = may_meet(&a, b, broadest(q->bvh, t));
+    some = may_meet(q->bvh, t, &a, b);
     for (k = 0; k < NOOK_LANES; k++) {
         if (nook_flag(some, k) && place < other + k && other + k < nt)
             *pairs |= (uint32_t)1 << (4u * i + j + k);
@@ -177,25 +184,30 @@ static bool comes_before(const nook_intersections *q) {
     return (q->descent.node + 1u) << 2u * q->descent.level <= q->leaf;
 }
 
+/* Look at the node; false where the tables are spoiled. */
+static bool visit(nook_intersections *q) {
+    nook_descent *d = &q->descent;
+    if (!comes_before(q) && d->level != 0) {
+        visit_group(d, q->bvh, q->low, q->high);
+        return true;
+    }
+    if (!comes_before(q) && !find_pairs(q)) return false;
+    nook_descent_leave(d);
+    return true;
+}
+
 nook_status nook_intersections_step(nook_intersections *q, uint32_t *units) {
     uint32_t nt = q->bvh->view.nt;
-    nook_descent *d = &q->descent;
     for (;;) {
         bool more;
         if (next_pair(q)) return NOOK_TRIANGLE;
-        more = nook_descent_next(d, nt, NOOK_UP);
+        more = nook_descent_next(&q->descent, nt, NOOK_UP);
         if (!more && q->leaf + 1u == (nt + 3u) / 4u) return NOOK_OK;
         if (*units == 0) return NOOK_MORE;
         --*units;
         if (!more) {
             begin_leaf(q);
-        } else if (comes_before(q)) {
-            nook_descent_leave(d);
-        } else if (d->level != 0) {
-            visit_group(d, q->bvh, q->low, q->high);
-        } else if (find_pairs(q)) {
-            nook_descent_leave(d);
-        } else {
+        } else if (!visit(q)) {
             return NOOK_INDEX_OUT_OF_RANGE;
         }
     }

@@ -83,9 +83,6 @@ static inline void nook_set_entries(uint32_t *entry, uint32_t child, nook_flags 
     entry[child] = some ? nook_entry(least, child) : NOOK_UP;
 }
 static inline bool nook_flag(nook_flags flags, uint32_t k) { return flags != 0 && k == 0; }
-static inline nook_flags nook_not(nook_flags flags) { return flags == 0; }
-static inline nook_lanes nook_if(nook_flags flags, nook_lanes a) { return flags != 0 ? a : 0; }
-static inline bool nook_any_flag(nook_flags flags) { return flags != 0; }
 static inline nook_flags nook_all_flags(void) { return -1; }
 #endif
 

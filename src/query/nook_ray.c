@@ -313,7 +313,8 @@ nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, 
     nook_status status = nook_bvh_status(bvh);
     if (r == NULL) return NOOK_NULL_ARGUMENT;
     if (status != NOOK_OK) return status;
-    if (nook_point_status(origin) != NOOK_OK) return nook_point_status(origin);
+    status = nook_point_status(origin);
+    if (status != NOOK_OK) return status;
     if (!is_direction(direction)) return NOOK_NOT_FINITE;
     memset(r, 0, offsetof(nook_ray, descent));
     r->triangle = NOOK_NONE;
@@ -332,7 +333,7 @@ nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, 
 
 static void describe(nook_ray *r) {
     nook_point corners[3], at = nook_scaled(toward(r), r->best);
-    const nook_point *p[3];
+    const nook_point *p[3] = {&r->origin, &r->origin, &r->origin}; /* where the tables are spoiled by now */
     float sum = 0;
     uint32_t i;
     (void)nook_points_of(r->bvh, r->triangle, p);
@@ -343,7 +344,7 @@ static void describe(nook_ray *r) {
         if (!(r->w[i] > 0)) r->w[i] = 0;
         sum += r->w[i];
     }
-    for (i = 0; i < 3u; i++) r->w[i] = sum > 0 ? r->w[i] / sum : i == 0 ? 1.0f : 0;
+    for (i = 0; i < 3u; i++) r->w[i] /= sum; /* 1 or more */
 }
 
 /* What is known: nothing is hit before t_min. */

@@ -25,9 +25,10 @@ typedef enum nook_ray_kind {
 
 typedef struct nook_ray {
     /* What is known so far. */
-    uint32_t triangle;  /* that is hit, or NOOK_NONE */
-    float t;            /* there: origin + t direction; without a hit, t_max */
-    float w[3];         /* and its barycentric coordinates, of corners 3 t, 3 t + 1, 3 t + 2 */
+    uint32_t triangle; /* that is hit, or NOOK_NONE */
+    float t;           /* there: origin + t direction; without a hit, t_max */
+    float w
+        [3]; /* and its barycentric coordinates, of corners 3 t, 3 t + 1, 3 t + 2; a third each without area */
     float t_min;        /* nothing is hit before; t when all is known */
     uint32_t crossings; /* NOOK_CROSSINGS: triangles crossed at 0 <= t */
     int32_t winding;    /* and those left (+1: outward) less those entered (-1): around the origin */
