@@ -144,6 +144,23 @@ static void every_box_is_that_of_what_is_below(void) {
     CHECK(base < NOOK_BVH_GROUPS(MOST_NT));
 }
 
+/* From the lowest coordinates of all corners to the highest, and the cells are as narrow as that allows. */
+static void the_grid_spans_the_mesh(void) {
+    uint32_t axis, c;
+    for (axis = 0; axis < 3; axis++) {
+        float low = nook_along(&m.G[m.V[0]], axis), high = low;
+        for (c = 0; c < 3 * m.view.nt; c++) {
+            float x = nook_along(&m.G[m.V[c]], axis);
+            if (x < low) low = x;
+            if (x > high) high = x;
+        }
+        CHECK(nook_along(&m.bvh.origin, axis) == low);
+        CHECK_EQUAL(nook_cell(&m.bvh, low, axis), 0);
+        if ((high - low) * 1000 > nook_bvh_size(&m.bvh)) /* else they would be too narrow for floats */
+            CHECK(nook_cell(&m.bvh, high, axis) + 1 >= NOOK_LAST_CELL);
+    }
+}
+
 static void every_triangle_has_one_place(void) {
     uint32_t place, t;
     for (t = 0; t < m.view.nt; t++) {
@@ -161,6 +178,7 @@ static void a_tree_of_any_size_over_any_points_holds_what_it_should(void) {
             soup(nt, kind, &d);
             build();
             every_triangle_has_one_place();
+            the_grid_spans_the_mesh();
             every_box_is_that_of_what_is_below();
             CHECK_EQUAL(nook_bvh_build(&m.bvh, &m.view, m.tree.boxes, NULL, NULL), NOOK_OK);
             CHECK(m.bvh.order == NULL);
@@ -428,6 +446,7 @@ static void three_ways_to_count_how_often_tetrahedra_wind_around_a_point_agree(v
         for (i = 0; i < 6; i++) {
             nook_point p = nook_make(throw_float(&d, 4) + 0.0003f, throw_float(&d, 4), throw_float(&d, 4));
             nook_ray ray = ask_ray(&m.bvh, p, throw_point(&d, 7), NOOK_CROSSINGS);
+            nook_closest c;
             nook_inside in;
             nook_winding w;
             float off;
@@ -443,6 +462,9 @@ static void three_ways_to_count_how_often_tetrahedra_wind_around_a_point_agree(v
             CHECK_EQUAL(in.crossings & 1u, ray.crossings & 1u);
             off = w.number - (float)in.winding;
             CHECK(off < 1e-4f && off > -1e-4f);
+            CHECK_EQUAL(nook_signed_distance(&c, &m.bvh, p), NOOK_OK);
+            CHECK(in.crossings % 2 == 0 ? c.distance > 0 : c.distance < 0);
+            CHECK(c.distance_min > 0 && (c.distance < 0 ? -c.distance : c.distance) <= c.distance_max);
             around += in.winding != 0;
         }
     }
@@ -743,6 +765,7 @@ static void a_segment_along_any_axis_is_as_far_as_its_nearest_point(void) {
             if (list[i].at >= 0) CHECK(c.at < list[i].at + 1e-4f && c.at > list[i].at - 1e-4f);
             CHECK(c.distance_min * c.distance_min <= list[i].square);
             CHECK(c.distance_max * c.distance_max >= list[i].square);
+            CHECK(c.distance_max - c.distance_min <= (list[i].square == 0 ? 0 : 2e-6f * 20));
         }
     }
 }

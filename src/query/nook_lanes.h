@@ -82,7 +82,10 @@ static inline nook_lanes nook_load(const nook_bound *from) { return (float)*from
 static inline void nook_set_entries(uint32_t *entry, uint32_t child, nook_flags some, nook_lanes least) {
     entry[child] = some ? nook_entry(least, child) : NOOK_UP;
 }
-static inline bool nook_flag(nook_flags flags, uint32_t k) { return flags != 0 && k == 0; }
+static inline bool nook_flag(nook_flags flags, uint32_t k) {
+    (void)k;
+    return flags != 0;
+}
 static inline nook_flags nook_all_flags(void) { return -1; }
 #endif
 

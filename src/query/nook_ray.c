@@ -344,7 +344,9 @@ static void describe(nook_ray *r) {
         if (!(r->w[i] > 0)) r->w[i] = 0;
         sum += r->w[i];
     }
-    for (i = 0; i < 3u; i++) r->w[i] /= sum; /* 1 or more */
+    /* 1 or more, unless the triangle is lost in the rounding of the way to it: 0, or no number from here on. */
+    sum += sum - sum;
+    for (i = 0; i < 3u; i++) r->w[i] = sum > 0 ? r->w[i] / sum : 1.0f / 3.0f;
 }
 
 /* What is known: nothing is hit before t_min. */

@@ -9,7 +9,7 @@ import pathlib, re, sys
 # The hull keeps its lists, rim and queue in the mesh's own tables instead of in scratch, and pauses anywhere: 330 lines in edit.
 # query answers within budgets, exactly, also in planes and on edges, for triangles without area too, and four boxes or triangles
 # at a time where the core can: that is the half of its lines, and part 7 will need to find room or make it.
-CEILINGS = {'core': 540, 'exact': 430, 'ingest': 450, 'table': 1650, 'walk': 550, 'edit': 1700, 'query': 2000,
+CEILINGS = {'core': 540, 'exact': 430, 'ingest': 450, 'table': 1650, 'walk': 550, 'edit': 1700, 'query': 2050,
             'pack': 900, 'robot': 400}
 
 
