@@ -434,6 +434,23 @@ static void spoiled_tables_end_the_search_for_pairs(void) {
     }
 }
 
+/* A flipped bit may come between two steps, when pairs of a leaf are still to be tried. */
+static void a_table_spoiled_between_two_pairs_is_not_followed(void) {
+    uint32_t c;
+    for (c = 0; c < 12; c++) {
+        nook_intersections q;
+        nook_status status;
+        uint32_t units = 100;
+        pile(4);
+        CHECK_EQUAL(nook_intersections_begin(&q, &m.bvh), NOOK_OK);
+        CHECK_EQUAL(nook_intersections_step(&q, &units), NOOK_TRIANGLE);
+        m.V[c] = nook_store(c % 2 ? m.view.nv : NOOK_NONE);
+        do status = nook_intersections_step(&q, &units);
+        while (status == NOOK_TRIANGLE);
+        CHECK_EQUAL(status, NOOK_INDEX_OUT_OF_RANGE);
+    }
+}
+
 static void a_search_without_a_tree_is_refused(void) {
     nook_intersections q;
     nook_t_junctions j;
@@ -600,6 +617,7 @@ static const test tests[] = {
     TEST(of_a_pile_all_pairs_intersect),
     TEST(a_search_goes_only_where_boxes_overlap_and_not_where_it_has_been),
     TEST(spoiled_tables_end_the_search_for_pairs),
+    TEST(a_table_spoiled_between_two_pairs_is_not_followed),
     TEST(a_search_without_a_tree_is_refused),
     TEST(every_vertex_between_two_teeth_of_a_comb_is_a_t_junction),
     TEST(a_vertex_farther_from_the_edge_than_the_tolerance_is_no_junction),

@@ -162,21 +162,23 @@ NOOK_APART static bool find_pairs(nook_intersections *q) {
     return true;
 }
 
-/* The next of the pairs that intersects. */
-NOOK_APART static bool next_pair(nook_intersections *q) {
+/* The next of the pairs that intersects: NOOK_TRIANGLE, or NOOK_OK if there is none. */
+NOOK_APART static nook_status next_pair(nook_intersections *q) {
+    const nook_point *p[3];
     while (q->pairs != 0) {
         uint32_t i = 0, t, u;
         while ((q->pairs >> i & 1u) == 0) i++;
         q->pairs &= q->pairs - 1u;
         t = nook_triangle_at(q->bvh, 4u * q->leaf + (i >> 2));
         u = nook_triangle_at(q->bvh, 4u * q->descent.node + (i & 3u));
+        if (!nook_points_of(q->bvh, t, p) || !nook_points_of(q->bvh, u, p)) return NOOK_INDEX_OUT_OF_RANGE;
         if (!nook_triangles_intersect(&q->bvh->view, t, u)) continue;
         q->t = t < u ? t : u;
         q->u = t < u ? u : t;
         q->count++;
-        return true;
+        return NOOK_TRIANGLE;
     }
-    return false;
+    return NOOK_OK;
 }
 
 /* A leaf before this one has seen this one already, and so have all below a group that ends before. */
@@ -199,8 +201,9 @@ static bool visit(nook_intersections *q) {
 nook_status nook_intersections_step(nook_intersections *q, uint32_t *units) {
     uint32_t nt = q->bvh->view.nt;
     for (;;) {
+        nook_status status = next_pair(q);
         bool more;
-        if (next_pair(q)) return NOOK_TRIANGLE;
+        if (status != NOOK_OK) return status;
         more = nook_descent_next(&q->descent, nt, NOOK_UP);
         if (!more && q->leaf + 1u == (nt + 3u) / 4u) return NOOK_OK;
         if (*units == 0) return NOOK_MORE;
@@ -239,6 +242,8 @@ static bool begin_edge(nook_t_junctions *q) {
     high = nook_high(m->G[v], m->G[w]);
     high = nook_make(high.x + more.x, high.y + more.y, high.z + more.z);
     set_cells(q->bvh, low, high, q->low, q->high);
+    q->from = v;
+    q->to = w;
     nook_descent_begin(&q->descent, q->bvh);
     return true;
 }
@@ -256,8 +261,8 @@ static bool is_within(const nook_t_junctions *q, nook_point a, nook_point b, noo
 /* Each vertex comes once: with the corner that stands for it. */
 static bool is_junction(const nook_t_junctions *q, uint32_t c) {
     const nook_view *m = &q->bvh->view;
-    uint32_t v = m->V[nook_next(q->corner)], w = m->V[nook_prev(q->corner)], x = m->V[c];
-    return m->C[x] == c && x != v && x != w && is_within(q, m->G[v], m->G[w], m->G[x]);
+    uint32_t x = m->V[c];
+    return m->C[x] == c && x != q->from && x != q->to && is_within(q, m->G[q->from], m->G[q->to], m->G[x]);
 }
 
 /* The corners of a leaf from next on, up to one that is a junction. */

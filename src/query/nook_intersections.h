@@ -34,6 +34,7 @@ typedef struct nook_t_junctions {
     uint32_t count; /* out: so far */
 
     const nook_bvh *bvh;
+    uint32_t from, to; /* the ends of the edge */
     float tolerance;
     nook_bound low[3], high[3];
     uint32_t next;
