@@ -29,9 +29,9 @@
  * marks, and views except in walk; all else it is given must stay until the end. Between steps nobody else may write the tables or the marks, and results say
  * nothing before NOOK_OK. A weld or link that is given up leaves the tables half done.
  * Each header says what a unit is and the most instructions it costs. States are at most 256
- * bytes. Nothing recurses. The worst stack, helpers of the compiler included, is 810 bytes on Cortex-M0 and 770 on
- * M4F (nook_signed_distance; 780 for the other one-call queries and for edits that may move a point), 720 for a step of
- * nook_closest, 670 for those of other queries and for one-call nook_check, which holds its state there, 580 for nook_hull, 500 for
+ * bytes. Nothing recurses. The worst stack, helpers of the compiler included, is 830 bytes on Cortex-M0 and 790 on
+ * M4F (nook_signed_distance; 790 for the other one-call queries and for edits that may move a point), 740 for a step of
+ * nook_closest, 690 for those of other queries and for one-call nook_check, which holds its state there, 580 for nook_hull, 500 for
  * one-call nook_link, 460 for a step of check and for the STL and number parsers, 440 for a step of geometry, 310
  * and less for all others; `make stack` prints it function by function.
  *

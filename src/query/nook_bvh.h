@@ -75,7 +75,7 @@ typedef struct nook_bvh_state {
  *   NOOK_INDEX_OUT_OF_RANGE      V names no vertex. where: the corner
  *   NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE   where: the vertex, if a triangle uses it
  * Steps: about 3.5 nt log2(nt); at most (4 + the bits of a key, 5 or 10) nt log2(nt) + 3 nt. One unit is a triangle looked at
- * once: at most 440 instructions on M4F, 3,500 on M0. */
+ * once: at most 340 instructions on M4F, 3,000 on M0. */
 nook_status nook_bvh_begin(nook_bvh_state *state, nook_bvh *bvh, const nook_view *view, nook_boxes *boxes,
                            nook_index *order, nook_where *where);
 /* The same with the order that *bvh has: after vertices moved. boxes are those of *bvh. */

@@ -150,17 +150,9 @@ static void found(nook_closest *q, uint32_t t, const nearest *n) {
 
 /* ---- leaves --------------------------------------------------------------------------------------- */
 
-/* Some triangles from a place on. */
-typedef struct some {
-    uint32_t t[NOOK_LANES];
-    const nook_point *at[NOOK_LANES][3];
-    float square[NOOK_LANES]; /* of a distance that they are not nearer than */
-} some;
-
 /* How far the box of the segment is from those of some triangles, squared; both from the segment's beginning. */
 static nook_lanes square_of_boxes(const nook_closest *q, const nook_vectors p[3]) {
-    nook_vectors low = nook_vectors_smaller(nook_vectors_smaller(p[0], p[1]), p[2]);
-    nook_vectors high = nook_vectors_larger(nook_vectors_larger(p[0], p[1]), p[2]);
+    nook_vectors low = nook_lowest(p), high = nook_highest(p);
     nook_point d = nook_scaled(nook_sub(q->b, q->a), q->scale), zero = nook_make(0, 0, 0);
     nook_vectors from = nook_vectors_of(nook_low(d, zero)), to = nook_vectors_of(nook_high(d, zero));
     nook_vectors off = nook_vectors_larger(nook_vectors_sub(low, to), nook_vectors_sub(from, high));
@@ -191,26 +183,17 @@ static nook_lanes square_of_triangles(const nook_vectors p[3], nook_lanes boxes)
 }
 #endif
 
-static inline bool gather(const nook_closest *q, uint32_t place, some *x) {
-    uint32_t last = q->bvh->view.nt - 1u, k;
-    nook_points points[3];
+/* A distance that some triangles are not nearer than, squared. */
+static inline nook_lanes least_square(const nook_closest *q, const nook_some *x) {
     nook_vectors p[3], a = nook_vectors_of(q->a);
     nook_lanes square;
-    for (k = 0; k < NOOK_LANES; k++) {
-        x->t[k] = nook_triangle_at(q->bvh, place + k < last ? place + k : last);
-        if (!nook_points_of(q->bvh, x->t[k], x->at[k])) return false;
-        nook_set_point(&points[0], k, x->at[k][0]);
-        nook_set_point(&points[1], k, x->at[k][1]);
-        nook_set_point(&points[2], k, x->at[k][2]);
-    }
-    for (k = 0; k < 3u; k++)
-        p[k] = nook_vectors_scaled(nook_vectors_sub(nook_vectors_at(&points[k]), a), q->scale);
+    uint32_t i;
+    for (i = 0; i < 3u; i++) p[i] = nook_vectors_scaled(nook_vectors_sub(x->p[i], a), q->scale);
     square = square_of_boxes(q, p);
 #if NOOK_LANES > 1
     if (!q->is_segment) square = square_of_triangles(p, square);
 #endif
-    memcpy(x->square, &square, sizeof x->square);
-    return true;
+    return square;
 }
 
 static void look_at(nook_closest *q, uint32_t t, const nook_point *const at[3]) {
@@ -231,10 +214,14 @@ static void look_at(nook_closest *q, uint32_t t, const nook_point *const at[3]) 
 static bool visit_leaf(nook_closest *q) {
     uint32_t place = 4u * q->descent.node, end = place + 4u, nt = q->bvh->view.nt, k;
     for (; place < end && place < nt; place += NOOK_LANES) {
-        some x;
-        if (!gather(q, place, &x)) return false;
+        float least[NOOK_LANES];
+        nook_lanes square;
+        nook_some x;
+        if (!nook_gather(q->bvh, place, &x)) return false;
+        square = least_square(q, &x);
+        memcpy(least, &square, sizeof least);
         for (k = 0; k < NOOK_LANES && place + k < nt; k++) {
-            if (x.square[k] <= q->reach) look_at(q, x.t[k], x.at[k]);
+            if (least[k] <= q->reach) look_at(q, x.t[k], x.at[k]);
         }
     }
     nook_descent_leave(&q->descent);

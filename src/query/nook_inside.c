@@ -64,29 +64,19 @@ static void look_at(nook_inside *q, uint32_t t, const nook_point *const p[3], bo
 
 /* Of some triangles, from a place on, those are looked at that lie about the line. */
 static inline bool visit_some(nook_inside *q, uint32_t place) {
-    uint32_t t[NOOK_LANES], last = q->bvh->view.nt - 1u, k, u = nook_after(q->axis), v = nook_after(u);
-    const nook_point *p[NOOK_LANES][3];
-    nook_points points[3];
+    uint32_t nt = q->bvh->view.nt, k, u = nook_after(q->axis), v = nook_after(u);
     nook_vectors low, high, x = nook_vectors_of(q->point);
     nook_flags below[3], above[3], level, ahead, about;
-    for (k = 0; k < NOOK_LANES; k++) {
-        t[k] = nook_triangle_at(q->bvh, place + k < last ? place + k : last);
-        if (!nook_points_of(q->bvh, t[k], p[k])) return false;
-        nook_set_point(&points[0], k, p[k][0]);
-        nook_set_point(&points[1], k, p[k][1]);
-        nook_set_point(&points[2], k, p[k][2]);
-    }
-    low = nook_vectors_smaller(nook_vectors_smaller(nook_vectors_at(&points[0]), nook_vectors_at(&points[1])),
-                               nook_vectors_at(&points[2]));
-    high = nook_vectors_larger(nook_vectors_larger(nook_vectors_at(&points[0]), nook_vectors_at(&points[1])),
-                               nook_vectors_at(&points[2]));
+    nook_some some;
+    if (!nook_gather(q->bvh, place, &some)) return false;
+    low = nook_lowest(some.p), high = nook_highest(some.p);
     below[0] = low.x <= x.x, below[1] = low.y <= x.y, below[2] = low.z <= x.z;
     above[0] = x.x <= high.x, above[1] = x.y <= high.y, above[2] = x.z <= high.z;
     level = below[q->axis] & above[q->axis];
     ahead = q->sign > 0 ? above[q->axis] : below[q->axis];
     about = below[u] & above[u] & below[v] & above[v] & ahead;
-    for (k = 0; k < NOOK_LANES && place + k <= last; k++) {
-        if (nook_flag(about, k)) look_at(q, t[k], p[k], nook_flag(level, k));
+    for (k = 0; k < NOOK_LANES && place + k < nt; k++) {
+        if (nook_flag(about, k)) look_at(q, some.t[k], some.at[k], nook_flag(level, k));
     }
     return true;
 }

@@ -57,16 +57,10 @@ static void begin_leaf(nook_intersections *q) {
     nook_descent_begin(&q->descent, q->bvh);
 }
 
-/* The triangle at a place, or the last one. */
-static uint32_t triangle_near(const nook_bvh *bvh, uint32_t place) {
-    uint32_t last = bvh->view.nt - 1u;
-    return nook_triangle_at(bvh, place < last ? place : last);
-}
-
-/* The same triangle in all lanes. */
-static bool gather_one(const nook_bvh *bvh, uint32_t t, nook_several *to) {
+/* The triangle at a place, or the last one, in all lanes. */
+static bool spread(const nook_bvh *bvh, uint32_t place, nook_several *to) {
+    uint32_t last = bvh->view.nt - 1u, t = nook_triangle_at(bvh, place < last ? place : last), i;
     const nook_point *p[3];
-    uint32_t i;
     if (!nook_points_of(bvh, t, p)) return false;
     for (i = 0; i < 3u; i++) {
         to->v[i] = nook_all_flags() & (int32_t)bvh->view.V[3u * t + i];
@@ -75,60 +69,45 @@ static bool gather_one(const nook_bvh *bvh, uint32_t t, nook_several *to) {
     return true;
 }
 
-/* Some from a place on. */
+/* Some with their vertices. */
 static bool gather(const nook_bvh *bvh, uint32_t place, nook_several *to) {
-    int32_t v[3][NOOK_LANES];
-    nook_points points[3];
-    const nook_point *p[3];
+    int32_t v[NOOK_LANES];
+    nook_some x;
     uint32_t i, k;
-    for (k = 0; k < NOOK_LANES; k++) {
-        uint32_t t = triangle_near(bvh, place + k);
-        if (!nook_points_of(bvh, t, p)) return false;
-        for (i = 0; i < 3u; i++) {
-            v[i][k] = (int32_t)bvh->view.V[3u * t + i];
-            nook_set_point(&points[i], k, p[i]);
-        }
-    }
+    if (!nook_gather(bvh, place, &x)) return false;
     for (i = 0; i < 3u; i++) {
-        memcpy(&to->v[i], v[i], sizeof to->v[i]);
-        to->p[i] = nook_vectors_at(&points[i]);
+        for (k = 0; k < NOOK_LANES; k++) v[k] = (int32_t)bvh->view.V[3u * x.t[k] + i];
+        memcpy(&to->v[i], v, sizeof v);
+        to->p[i] = x.p[i];
     }
     return true;
 }
 
-static nook_vectors low_of(const nook_several *a) {
-    return nook_vectors_smaller(nook_vectors_smaller(a->p[0], a->p[1]), a->p[2]);
-}
-
-static nook_vectors high_of(const nook_several *a) {
-    return nook_vectors_larger(nook_vectors_larger(a->p[0], a->p[1]), a->p[2]);
-}
-
 #if NOOK_LANES > 1
-/* The axis along which a triangle is seen largest. */
-static uint32_t broadest(const nook_bvh *bvh, uint32_t t) {
-    nook_point a = nook_point_at(&bvh->view, 3u * t), b = nook_point_at(&bvh->view, 3u * t + 1u);
-    nook_point n = nook_cross(nook_sub(b, a), nook_sub(nook_point_at(&bvh->view, 3u * t + 2u), a));
-    float x = nook_abs(n.x), y = nook_abs(n.y), z = nook_abs(n.z);
+/* The axis along which a triangle, the same in all lanes, is seen largest. */
+static uint32_t broadest(const nook_several *a) {
+    nook_vectors n =
+        nook_vectors_cross(nook_vectors_sub(a->p[1], a->p[0]), nook_vectors_sub(a->p[2], a->p[0]));
+    float x = nook_abs(n.x[0]), y = nook_abs(n.y[0]), z = nook_abs(n.z[0]);
     return x > y ? (x > z ? 0 : 2u) : (y > z ? 1u : 2u);
 }
 #endif
 
 /* Which pairs of a triangle, the same in all lanes, and others may intersect. One by one, nook_pair.h is as quick. */
-static nook_flags may_meet(const nook_bvh *bvh, uint32_t t, const nook_several *a, const nook_several *b) {
-    nook_vectors low = low_of(a), high = high_of(a), from = low_of(b), to = high_of(b);
+static nook_flags may_meet(const nook_several *a, const nook_several *b) {
+    nook_vectors low = nook_lowest(a->p), high = nook_highest(a->p), from = nook_lowest(b->p),
+                 to = nook_highest(b->p);
     nook_flags some = (from.x <= high.x) & (from.y <= high.y) & (from.z <= high.z) & (to.x >= low.x) &
                       (to.y >= low.y) & (to.z >= low.z);
 #if NOOK_LANES > 1
-    uint32_t axis = broadest(bvh, t);
+    uint32_t axis;
     nook_seen x, y;
     if (!nook_any_flag(some)) return some;
     some = some & nook_not(nook_is_on_one_side(a, b) | nook_is_on_one_side(b, a));
     if (!nook_any_flag(some)) return some;
+    axis = broadest(a);
     x = nook_see(a, axis), y = nook_see(b, axis);
     some = some & nook_not(nook_is_beside(a, &x, b, &y) | nook_is_beside(b, &y, a, &x));
-#else
-    (void)bvh, (void)t;
 #endif
     return some;
 }
@@ -137,11 +116,10 @@ static nook_flags may_meet(const nook_bvh *bvh, uint32_t t, const nook_several *
 static bool find_pairs_of(const nook_intersections *q, uint32_t i, const nook_several *b, uint32_t j,
                           uint32_t *pairs) {
     uint32_t k, place = 4u * q->leaf + i, other = 4u * q->descent.node + j, nt = q->bvh->view.nt;
-    uint32_t t = triangle_near(q->bvh, place);
     nook_several a;
     nook_flags some;
-    if (!gather_one(q->bvh, t, &a)) return false;
-    some = may_meet(q->bvh, t, &a, b);
+    if (!spread(q->bvh, place, &a)) return false;
+    some = may_meet(&a, b);
     for (k = 0; k < NOOK_LANES; k++) {
         if (nook_flag(some, k) && place < other + k && other + k < nt)
             *pairs |= (uint32_t)1 << (4u * i + j + k);

@@ -24,7 +24,7 @@ typedef struct nook_intersections {
  *   NOOK_NULL_ARGUMENT
  * step: NOOK_TRIANGLE, NOOK_MORE, NOOK_OK at the end, NOOK_INDEX_OUT_OF_RANGE (tables spoiled after the build).
  * Steps: 1 a node for each leaf; about 2 to 5 nt on meshes that do not cut themselves much, at most nt^2 / 20 + 3 nt. One unit, two leaves
- * held against each other, is at most 21,000 instructions on M4F and 103,000 on M0 where floats and integers decide. */
+ * held against each other, is at most 21,000 instructions on M4F and 110,000 on M0 where floats and integers decide. */
 nook_status nook_intersections_begin(nook_intersections *found, const nook_bvh *bvh);
 nook_status nook_intersections_step(nook_intersections *found, uint32_t *units);
 

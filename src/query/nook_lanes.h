@@ -138,6 +138,14 @@ static inline nook_lanes nook_largest(nook_vectors a) {
     return nook_larger(nook_larger(nook_magnitude(a.x), nook_magnitude(a.y)), nook_magnitude(a.z));
 }
 
+static inline nook_vectors nook_lowest(const nook_vectors p[3]) {
+    return nook_vectors_smaller(nook_vectors_smaller(p[0], p[1]), p[2]);
+}
+
+static inline nook_vectors nook_highest(const nook_vectors p[3]) {
+    return nook_vectors_larger(nook_vectors_larger(p[0], p[1]), p[2]);
+}
+
 /* Points in memory, coordinate by coordinate. */
 typedef struct nook_points {
     float x[NOOK_LANES], y[NOOK_LANES], z[NOOK_LANES];
@@ -152,6 +160,30 @@ static inline void nook_set_point(nook_points *to, uint32_t k, const nook_point 
 static inline nook_vectors nook_vectors_at(const nook_points *p) {
     nook_vectors v = {nook_lanes_at(p->x), nook_lanes_at(p->y), nook_lanes_at(p->z)};
     return v;
+}
+
+/* Some triangles, from a place of the tree on, and beyond the end the last one again: their corners each, and side by side. */
+typedef struct nook_some {
+    uint32_t t[NOOK_LANES];
+    const nook_point *at[NOOK_LANES][3];
+    nook_vectors p[3];
+} nook_some;
+
+/* False where order or V name nothing that there is. */
+static inline bool nook_gather(const nook_bvh *bvh, uint32_t place, nook_some *to) {
+    uint32_t last = bvh->view.nt - 1u, k;
+    nook_points points[3];
+    for (k = 0; k < NOOK_LANES; k++) {
+        to->t[k] = nook_triangle_at(bvh, place + k < last ? place + k : last);
+        if (!nook_points_of(bvh, to->t[k], to->at[k])) return false;
+        nook_set_point(&points[0], k, to->at[k][0]);
+        nook_set_point(&points[1], k, to->at[k][1]);
+        nook_set_point(&points[2], k, to->at[k][2]);
+    }
+    to->p[0] = nook_vectors_at(&points[0]);
+    to->p[1] = nook_vectors_at(&points[1]);
+    to->p[2] = nook_vectors_at(&points[2]);
+    return true;
 }
 
 #endif

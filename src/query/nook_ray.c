@@ -66,11 +66,9 @@ typedef struct judgement {
     nook_flags past, out, in;
 } judgement;
 
-static inline judgement judge(const nook_ray *r, const nook_points p[3]) {
-    nook_vectors o = nook_vectors_of(r->origin), a = nook_vectors_sub(nook_vectors_at(&p[0]), o);
-    nook_vectors b = nook_vectors_sub(nook_vectors_at(&p[1]), o),
-                 c = nook_vectors_sub(nook_vectors_at(&p[2]), o);
-    nook_vectors d = nook_vectors_of(toward(r));
+static inline judgement judge(const nook_ray *r, const nook_vectors p[3]) {
+    nook_vectors o = nook_vectors_of(r->origin), a = nook_vectors_sub(p[0], o), b = nook_vectors_sub(p[1], o);
+    nook_vectors c = nook_vectors_sub(p[2], o), d = nook_vectors_of(toward(r));
     nook_lanes ab = nook_vectors_dot(nook_vectors_cross(a, b), d),
                bc = nook_vectors_dot(nook_vectors_cross(b, c), d);
     nook_lanes ca = nook_vectors_dot(nook_vectors_cross(c, a), d);
@@ -255,27 +253,20 @@ static void count(nook_ray *r, const nook_point *const p[3]) {
 
 /* Some triangles from a place on: those that there are and that are not missed for certain are looked at. */
 static inline bool visit_some(nook_ray *r, uint32_t place) {
-    uint32_t t[NOOK_LANES], last = r->bvh->view.nt - 1u, k;
-    const nook_point *p[NOOK_LANES][3];
+    uint32_t nt = r->bvh->view.nt, k;
+    nook_some x;
     judgement j;
-    nook_points c[3];
     memset(&j, 0, sizeof j);
-    for (k = 0; k < NOOK_LANES; k++) {
-        t[k] = nook_triangle_at(r->bvh, place + k < last ? place + k : last);
-        if (!nook_points_of(r->bvh, t[k], p[k])) return false;
-        nook_set_point(&c[0], k, p[k][0]);
-        nook_set_point(&c[1], k, p[k][1]);
-        nook_set_point(&c[2], k, p[k][2]);
-    }
-    if (NOOK_HAS_FPU) j = judge(r, c);
-    for (k = 0; k < NOOK_LANES && place + k <= last; k++) {
+    if (!nook_gather(r->bvh, place, &x)) return false;
+    if (NOOK_HAS_FPU) j = judge(r, x.p);
+    for (k = 0; k < NOOK_LANES && place + k < nt; k++) {
         if (nook_flag(j.past, k)) continue;
         if (r->kind == NOOK_CROSSINGS) {
-            count(r, p[k]);
+            count(r, x.at[k]);
         } else if (nook_flag(j.out, k) || nook_flag(j.in, k)) {
-            go_through(r, t[k], p[k], nook_flag(j.out, k) ? 1 : -1);
+            go_through(r, x.t[k], x.at[k], nook_flag(j.out, k) ? 1 : -1);
         } else {
-            look_at(r, t[k], p[k]);
+            look_at(r, x.t[k], x.at[k]);
         }
     }
     return true;

@@ -54,7 +54,7 @@ nook_status nook_ray_begin(nook_ray *ray, const nook_bvh *bvh, nook_point origin
 /* NOOK_OK: all is known. NOOK_MORE: out of units. NOOK_INDEX_OUT_OF_RANGE: V or order names nothing (a table
  * that was spoiled after the build).
  * Steps: 1 a node of the tree that is looked at, a group or a leaf; some log4(nt) + 5 on most meshes, at most nt / 3 + 10. One unit is at most
- * 2,400 instructions on M4F, 41,000 on M0, where floats and integers decide; 100,000 if all four triangles of a leaf need the exact
+ * 1,900 instructions on M4F, 42,000 on M0, where floats and integers decide; 100,000 if all four triangles of a leaf need the exact
  * sums, which random data can ask for and meshes do not. */
 nook_status nook_ray_step(nook_ray *ray, uint32_t *units);
 /* Ask and wait. */
