@@ -14,10 +14,9 @@ missing() {
 flags=$(for f in "$@"; do case $f in -MMD | -MP | -g) ;; *) echo "$f" ;; esac; done)
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
-compiles() { # compiler and flags; the files' names come on standard input, and all are tried
-    status=0
-    while read -r file; do "$@" $flags -Werror -c "$file" -o "$dir/o" || status=1; done
-    return $status
+# Two at a time; all are tried.
+compiles() { # compiler and flags; the files' names come on standard input
+    xargs -P 2 -n 1 "$@" $flags -Werror -o /dev/null -c
 }
 for cc in "$CC" clang; do
     missing "$cc" && continue
@@ -47,11 +46,11 @@ for cxx in g++ clang++; do
     done
 done
 if ! missing clang-tidy; then
-    clang-tidy --quiet src/*/*.c -- $flags 2>/dev/null
+    ls src/*/*.c | xargs -P 2 -I{} clang-tidy --quiet {} -- $flags 2>/dev/null
     say clang-tidy $?
 fi
 if ! missing cppcheck; then
-    cppcheck --quiet --error-exitcode=1 --enable=warning,portability,performance --inline-suppr --std=c99 -UNOOK_USER_CONFIG -Isrc -Iport -Ihost_sim -Itests \
+    cppcheck -j 2 --quiet --error-exitcode=1 --enable=warning,portability,performance --inline-suppr --std=c99 -UNOOK_USER_CONFIG -Isrc -Iport -Ihost_sim -Itests \
         --suppress=missingIncludeSystem src host_sim port boards tests
     say cppcheck $?
 fi
