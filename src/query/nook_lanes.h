@@ -33,13 +33,20 @@ static inline nook_lanes nook_magnitude(nook_lanes a) { return (nook_lanes)((noo
 static inline nook_flags nook_load_cells(const nook_bound *from) {
     typedef uint16_t eight __attribute__((vector_size(16)));
     typedef uint64_t two __attribute__((vector_size(16)));
-    two all = {0, 0};
     eight zero = {0, 0, 0, 0, 0, 0, 0, 0};
-    memcpy(&all, from, 4u * sizeof *from);
 #if NOOK_BOUND_BITS == 8
     typedef uint8_t sixteen __attribute__((vector_size(16)));
+    uint32_t word;
+    two all = {0, 0};
+    memcpy(&word, from, sizeof word);
+    all[0] = word;
     all = (two)__builtin_shufflevector((sixteen)all, (sixteen)zero, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21,
                                        6, 22, 7, 23);
+#else
+    uint64_t word;
+    two all = {0, 0};
+    memcpy(&word, from, sizeof word);
+    all[0] = word;
 #endif
     return (nook_flags)__builtin_shufflevector((eight)all, zero, 0, 8, 1, 9, 2, 10, 3, 11);
 }
