@@ -27,8 +27,8 @@ int nook_orient3d(const nook_point *a, const nook_point *b, const nook_point *c,
 int nook_orient2d(const nook_point *a, const nook_point *b, const nook_point *c, uint32_t axis);
 
 /* The same two with a direction in place of the last point, which need not be a point that a float can reach:
- * passing, how the line from o along d passes the edge a b: +1 where a b c, for c behind the line, run counter-clockwise
- *     seen along d: the sign of (a-o) x (b-o) . d. 0 if the line meets the line of a and b, or is parallel to it;
+ * passing, how a line from o along d passes the edge a b: +1 where a to b runs counter-clockwise about the line for
+ *     one whom d points at, -1 where clockwise, 0 if both lie in one plane: the sign of (a-o) x (b-o) . d;
  * turning, the sign of component axis of (b-a) x d. */
 int nook_passing(const nook_point *o, const nook_point *d, const nook_point *a, const nook_point *b);
 int nook_turning(const nook_point *a, const nook_point *b, const nook_point *d, uint32_t axis);

@@ -20,7 +20,7 @@ typedef struct nook_closest {
     float at;          /* and the nearest of the segment: a + at (b - a), 0 <= at <= 1 */
     float distance;    /* between the two, rounded; the limit while there is no triangle */
     float distance_min,
-        distance_max; /* of the mesh from the segment; without a triangle, at least the limit */
+        distance_max; /* of the mesh from the segment. Without a triangle distance_min is the limit, but for rounding */
 
     const nook_bvh *bvh;
     nook_point a, b;
@@ -39,7 +39,7 @@ typedef struct nook_closest {
 /* Ask for the distance of segment a b.
  *   limit   what lies farther is of no interest; NOOK_FAR for none
  *   enough  stop as soon as something is found that is no farther than this; 0 for the nearest
- *   NOOK_NULL_ARGUMENT, NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE
+ *   NOOK_NULL_ARGUMENT, NOOK_EMPTY_MESH (nothing was built), NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE
  * Of triangles whose squared distances are the same float, the one of the lowest number, if enough is 0. */
 nook_status nook_closest_begin(nook_closest *closest, const nook_bvh *bvh, nook_point a, nook_point b,
                                float limit, float enough);

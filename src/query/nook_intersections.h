@@ -21,7 +21,7 @@ typedef struct nook_intersections {
 } nook_intersections;
 
 /* All pairs of the mesh, each once, in the order of the tree. *bvh must stay until the end.
- *   NOOK_NULL_ARGUMENT
+ *   NOOK_NULL_ARGUMENT, NOOK_EMPTY_MESH (nothing was built)
  * step: NOOK_TRIANGLE, NOOK_MORE, NOOK_OK at the end, NOOK_INDEX_OUT_OF_RANGE (tables spoiled after the build).
  * Steps: 1 a node for each leaf; about 2 to 5 nt on meshes that do not cut themselves much, at most nt^2 / 20 + 3 nt. One unit, two leaves
  * held against each other, is at most 21,000 instructions on M4F and 110,000 on M0 where floats and integers decide. */
@@ -44,7 +44,7 @@ typedef struct nook_t_junctions {
 /* All pairs of a border edge (O[c] = c) and a vertex that is no end of it, has a triangle, and lies on it: no farther than
  * tolerance from a point of the edge, and farther than that from both its ends. The float of 2^-22 of the largest coordinate allows for
  * what rounding to float32 does to a point on an edge.
- *   NOOK_NULL_ARGUMENT */
+ *   NOOK_NULL_ARGUMENT (O and C are needed too), NOOK_EMPTY_MESH. step as above. */
 nook_status nook_t_junctions_begin(nook_t_junctions *junctions, const nook_bvh *bvh, float tolerance);
 nook_status nook_t_junctions_step(nook_t_junctions *junctions, uint32_t *units);
 

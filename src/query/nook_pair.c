@@ -45,7 +45,7 @@ static bool any_pierces(corners b, const sides *s, corners a) {
 
 /* ---- in one plane --------------------------------------------------------------------------------- */
 
-/* Whether b lies clear of a, beyond the line of one of a's edges, seen along an axis. turn is a's. */
+/* Whether b lies clear of a, beyond the line of one of a's edges, seen along an axis. */
 static bool edge_parts(corners a, corners b, uint32_t axis) {
     uint32_t i, j;
     int turn = nook_orient2d(a[0], a[1], a[2], axis);

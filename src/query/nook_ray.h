@@ -48,7 +48,7 @@ typedef struct nook_ray {
 
 /* Ask. direction need not be of length 1; t is in units of it. Hits beyond t_max are not reported (by floats). A finite
  * origin up to 2^30, any finite direction but 0.
- *   NOOK_NULL_ARGUMENT, NOOK_NOT_FINITE (origin, direction, or a direction of 0), NOOK_COORDINATE_TOO_LARGE */
+ *   NOOK_NULL_ARGUMENT, NOOK_EMPTY_MESH (nothing was built), NOOK_NOT_FINITE (origin, direction, or a direction of 0), NOOK_COORDINATE_TOO_LARGE */
 nook_status nook_ray_begin(nook_ray *ray, const nook_bvh *bvh, nook_point origin, nook_point direction,
                            float t_max, nook_ray_kind kind);
 /* NOOK_OK: all is known. NOOK_MORE: out of units. NOOK_INDEX_OUT_OF_RANGE: V or order names nothing (a table
