@@ -101,7 +101,9 @@ extern "C" {
 #include "edit/nook_sew.h"   /* at the border: make, remove, stitch, cut */
 #include "edit/nook_fill.h"  /* fill a hole: fan, centroid, ears */
 #include "edit/nook_whole.h" /* reverse a shell, split vertices */
-#include "edit/nook_hull.h"  /* convex hull of points */
+
+/* shape: change a mesh as a whole, by edits */
+#include "shape/nook_hull.h" /* convex hull of points */
 
 #ifdef __cplusplus
 }

@@ -8,7 +8,7 @@
  * The corner by which a face was entered leads back to one that is gone already, so nobody misses it. When all neighbours
  * have been looked at, the queue is the list of numbers that are free for new faces. A disk of k faces has a rim of at most
  * k + 2 edges, and all together there are never more than the 2 m - 4 faces of m points. */
-#include "edit/nook_hull.h"
+#include "shape/nook_hull.h"
 
 #include "edit/nook_inner.h"
 
