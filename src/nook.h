@@ -89,6 +89,7 @@ extern "C" {
 
 /* query: what is where on a mesh */
 #include "query/nook_bvh.h"           /* a tree of boxes over it */
+#include "query/nook_overlap.h"       /* which triangles are about a place */
 #include "query/nook_ray.h"           /* what a ray hits */
 #include "query/nook_closest.h"       /* how far a point or a capsule is */
 #include "query/nook_inside.h"        /* inside or not; winding number */
@@ -100,7 +101,7 @@ extern "C" {
 #include "edit/nook_local.h" /* flip, splits, collapse, merge */
 #include "edit/nook_sew.h"   /* at the border: make, remove, stitch, cut */
 #include "edit/nook_fill.h"  /* fill a hole: fan, centroid, ears */
-#include "edit/nook_whole.h" /* reverse a shell, split vertices */
+#include "edit/nook_whole.h" /* reverse a shell, split vertices, reorder triangles */
 
 /* shape: change a mesh as a whole, by edits */
 #include "shape/nook_hull.h" /* convex hull of points */
@@ -116,8 +117,9 @@ extern "C" {
  * attributes, colors          nook_edit.attributes, nook_edit.color
  * barycentric coordinates     nook_barycentric
  * border, border edge         nook_is_border; NOOK_BORDER_EDGE
- * bounding volume hierarchy   nook_bvh
+ * bounding volume hierarchy   nook_bvh; that follows edits: nook_bvh_follow
  * bow-tie                     NOOK_NONMANIFOLD_VERTEX
+ * box, what is in one         nook_overlap
  * breadth-first, rings        nook_rings (distance across edges)
  * bridge                      out of scope: a modeling tool; make triangles between the loops with nook_make_triangle
  * capsule, sphere             nook_closest with a radius
@@ -193,9 +195,10 @@ extern "C" {
  * p, previous                 nook_prev
  * r, right                    nook_right
  * ray                         nook_ray
+ * reorder triangles           nook_reorder
  * reverse                     nook_reverse
  * s, swing                    nook_swing; nook_turn stops at borders
- * self-intersection           nook_intersections
+ * self-intersection           nook_intersections; that an edit would make: nook_edit.bvh
  * shell                       nook_shell
  * sibling                     nook_pair
  * signed distance             nook_signed_distance

@@ -1519,6 +1519,191 @@ static void a_client_is_told_whose_copy_the_vertex_of_a_split_fan_is(void) {
     CHECK_EQUAL(from_0, 3);
 }
 
+/* ---- with a tree -------------------------------------------------------------------------------------------- */
+
+static nook_boxes tree_boxes[NOOK_BVH_GROUPS(ROOM_T)];
+static nook_bvh tree;
+static const nook_edit watched = {.bvh = &tree, .boxes = tree_boxes};
+
+static void plant(void) {
+    CHECK_EQUAL(nook_bvh_follow(&tree, &b.mesh, tree_boxes), NOOK_OK);
+    CHECK_EQUAL(nook_bvh_refit(&tree, tree_boxes, NULL), NOOK_OK);
+}
+
+static bool is_same_place(const nook_mesh *m, uint32_t t, const nook_point *G, const nook_index *V,
+                          uint32_t u) {
+    uint32_t i, turned_by;
+    for (turned_by = 0; turned_by < 3; turned_by++) {
+        for (i = 0; i < 3; i++) {
+            nook_point p = m->G[m->V[3 * t + i]], q = G[V[3 * u + (i + turned_by) % 3]];
+            if (p.x != q.x || p.y != q.y || p.z != q.z) break;
+        }
+        if (i == 3) return true;
+    }
+    return false;
+}
+
+/* Whether a triangle stands where none stood before. */
+static bool is_new_place(uint32_t t) {
+    uint32_t u;
+    for (u = 0; u < kept_nt; u++) {
+        if (is_same_place(&b.mesh, t, kept.G, kept.V, u)) return false;
+    }
+    return true;
+}
+
+/* Whether any triangle that is new, or elsewhere, intersects another: all pairs. */
+static bool has_new_cut(void) {
+    nook_view view = nook_view_of(&b.mesh);
+    uint32_t t, u;
+    for (t = 0; t < b.mesh.nt; t++) {
+        if (!is_new_place(t)) continue;
+        for (u = 0; u < b.mesh.nt; u++) {
+            if (u != t && nook_triangles_intersect(&view, t, u)) return true;
+        }
+    }
+    return false;
+}
+
+/* Vertices, and a place to be that is not the place of an end of the edge that collapses. */
+static bool all_apart(const attempt *a) {
+    uint32_t v, w;
+    for (v = 0; v < b.mesh.nv; v++) {
+        bool end = a->what == COLLAPSE && (v == b.mesh.V[nook_next(a->c)] || v == b.mesh.V[nook_prev(a->c)]);
+        nook_point there = b.mesh.G[v];
+        if (there.x == a->at.x && there.y == a->at.y && there.z == a->at.z && !end) return false;
+        for (w = 0; w < v; w++) {
+            nook_point p = b.mesh.G[v], q = b.mesh.G[w];
+            if (p.x == q.x && p.y == q.y && p.z == q.z) return false;
+        }
+    }
+    return true;
+}
+
+static bool boxes_meet(uint32_t t, nook_point low, nook_point high) {
+    bool above = true, below = true;
+    uint32_t axis, i;
+    for (axis = 0; axis < 3; axis++) {
+        float least = 0x1p40f, most = -0x1p40f;
+        for (i = 0; i < 3; i++) {
+            float x = nook_along(&b.mesh.G[b.mesh.V[3 * t + i]], axis);
+            least = x < least ? x : least;
+            most = x > most ? x : most;
+        }
+        above = above && most >= nook_along(&low, axis);
+        below = below && least <= nook_along(&high, axis);
+    }
+    return above && below;
+}
+
+/* What the tree finds in a box is what looking at every triangle finds. */
+static void overlap_finds_all(nook_point low, nook_point high) {
+    uint8_t found[ROOM_T] = {0};
+    nook_overlap q;
+    nook_status status;
+    uint32_t t;
+    CHECK_EQUAL(nook_overlap_begin(&q, &tree, low, high), NOOK_OK);
+    do {
+        uint32_t units = 1;
+        status = nook_overlap_step(&q, &units);
+        if (status == NOOK_TRIANGLE) found[q.t]++;
+    } while (status == NOOK_MORE || status == NOOK_TRIANGLE);
+    CHECK_EQUAL(status, NOOK_OK);
+    for (t = 0; t < b.mesh.nt; t++) CHECK_EQUAL(found[t], boxes_meet(t, low, high));
+}
+
+/* The same answers as of a tree that is built anew. */
+static void tree_answers(dice *d) {
+    static NOOK_BVH_ARRAYS(ROOM_T) fresh;
+    nook_bvh anew;
+    nook_ray ray, same;
+    nook_closest near, as_near;
+    nook_view view = nook_view_of(&b.mesh);
+    nook_point from = finished(d, throw_grid_point(d, 16, false)), to = b.mesh.G[throw_dice(d, b.mesh.nv)];
+    CHECK(tree.view.nt == b.mesh.nt && tree.view.nv == b.mesh.nv);
+    CHECK_EQUAL(nook_bvh_build(&anew, &view, fresh.boxes, fresh.order, NULL), NOOK_OK);
+    overlap_finds_all(nook_make(from.x - 2, from.y - 2, from.z - 3), nook_make(from.x, from.y, from.z));
+    overlap_finds_all(to, to);
+    if (nook_ray_cast(&ray, &tree, from, nook_sub(to, from), NOOK_MAX_T, NOOK_NEAREST) == NOOK_OK) {
+        CHECK_EQUAL(nook_ray_cast(&same, &anew, from, nook_sub(to, from), NOOK_MAX_T, NOOK_NEAREST), NOOK_OK);
+        CHECK(ray.triangle == same.triangle && ray.t == same.t);
+    }
+    CHECK_EQUAL(nook_closest_point(&near, &tree, from), NOOK_OK);
+    CHECK_EQUAL(nook_closest_point(&as_near, &anew, from), NOOK_OK);
+    CHECK(near.distance == as_near.distance);
+}
+
+static uint32_t clear, cutting;
+
+/* Done without a tree and put back, then with it; and that stays. */
+static void judge_by_tree(dice *d, const attempt *a) {
+    uint32_t sum;
+    nook_status status = carry_out(a, NULL), again;
+    bool cut = status == NOOK_OK && a->what < CONDITIONED && has_new_cut();
+    sum = hash_of_mesh();
+    restore();
+    again = carry_out(a, &watched);
+    CHECK_EQUAL(again, cut ? NOOK_SELF_INTERSECTION : status);
+    if (again == NOOK_OK) CHECK_EQUAL(hash_of_mesh(), sum);
+    if (again != NOOK_OK) is_as_kept(!is_filling(a->what));
+    if (cut) restore();
+    cutting += cut;
+    clear += again == NOOK_OK;
+    if (b.mesh.nt != 0 && again == NOOK_OK) tree_answers(d);
+}
+
+static void a_tree_refuses_exactly_what_would_cut_the_mesh(void) {
+    dice d = {20261128u};
+    uint32_t round, turn, what, rounds;
+    for (what = 0; what < OPERATORS && !test_has_failed(); what++) {
+        clear = cutting = 0;
+        rounds = SMALL ? 3 : what == STITCH ? 1600 : 250;
+        for (round = 0; round < rounds && !test_has_failed(); round++) {
+            bool flat = begin_scene(&d, what);
+            plant();
+            for (turn = 0; turn < 6 && b.mesh.nt > 1 && !test_has_failed(); turn++) {
+                attempt a = throw_attempt(&d, throw_dice(&d, 4) == 0 ? throw_dice(&d, OPERATORS) : what);
+                throw_at(&d, &a, flat);
+                keep();
+                if (all_apart(&a)) judge_by_tree(&d, &a);
+            }
+        }
+        CHECK(SMALL || (clear > 50 && (cutting > 50 || what >= CONDITIONED)));
+    }
+}
+
+/* From one triangle to none and back; a second one beside it, through it, and a fourth on the first two. */
+static void a_tree_follows_from_nothing_and_back(void) {
+    static const uint8_t one[] = {0, 1, 2};
+    static const float xy[] = {0, 0, 4, 0, 0, 4, 4, 4, 1, 1, 2, 2};
+    static const uint32_t same[3] = {0, 1, 2}, beside[3] = {2, 1, 3}, through[3] = {3, 4, 5};
+    nook_overlap q;
+    nook_view none = {0};
+    uint32_t units = 100;
+    draw(xy, 6, one, 1);
+    plant();
+    CHECK_EQUAL(nook_remove_triangle(&b.mesh, 0, &watched), NOOK_OK);
+    CHECK_EQUAL(nook_overlap_begin(&q, &tree, b.mesh.G[0], b.mesh.G[0]), NOOK_EMPTY_MESH);
+    CHECK_EQUAL(nook_make_triangle(&b.mesh, same, &watched), NOOK_OK);
+    place(3, 4, 4, 1);
+    place(4, 1, 1, -1);
+    place(5, 2, 1, 1);
+    CHECK_EQUAL(nook_make_triangle(&b.mesh, through, &watched), NOOK_SELF_INTERSECTION);
+    CHECK_EQUAL(nook_make_triangle(&b.mesh, through, NULL), NOOK_OK);
+    CHECK_EQUAL(nook_remove_triangle(&b.mesh, 1, &watched), NOOK_OK);
+    CHECK_EQUAL(nook_make_triangle(&b.mesh, beside, &watched), NOOK_OK);
+    CHECK_EQUAL(nook_overlap_begin(NULL, &tree, b.mesh.G[0], b.mesh.G[0]), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_overlap_begin(&q, NULL, b.mesh.G[0], b.mesh.G[0]), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_overlap_begin(&q, &tree, b.mesh.G[0], b.mesh.G[0]), NOOK_OK);
+    b.mesh.V[0] = b.mesh.V[3] = NOOK_STORED_NONE;
+    CHECK_EQUAL(nook_overlap_step(&q, &units), NOOK_INDEX_OUT_OF_RANGE);
+    CHECK_EQUAL(nook_bvh_follow(NULL, &b.mesh, tree_boxes), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_bvh_follow(&tree, NULL, tree_boxes), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_bvh_follow(&tree, &b.mesh, NULL), NOOK_NULL_ARGUMENT);
+    tree.view = none;
+    CHECK_EQUAL(nook_bvh_refit(&tree, tree_boxes, NULL), NOOK_EMPTY_MESH);
+}
+
 static const test tests[] = {
     TEST(a_flip_is_done_exactly_if_both_new_triangles_face_the_quadrilateral),
     TEST(a_split_is_done_exactly_if_every_part_faces_what_it_is_cut_from),
@@ -1551,6 +1736,8 @@ static const test tests[] = {
     TEST(barycentric_coordinates_of_no_area_are_a_third_each),
     TEST(a_client_of_the_callbacks_knows_everyone_after_thousands_of_edits),
     TEST(a_client_is_told_whose_copy_the_vertex_of_a_split_fan_is),
+    TEST(a_tree_refuses_exactly_what_would_cut_the_mesh),
+    TEST(a_tree_follows_from_nothing_and_back),
 };
 
 void test_conditions(void) { run_tests(tests, sizeof tests / sizeof *tests); }

@@ -559,6 +559,108 @@ static void fans_stay_together_where_there_is_no_room(void) {
     CHECK_EQUAL(nook_split_fans_begin(&state, &b.mesh, &b.marks, NULL), NOOK_NULL_ARGUMENT);
 }
 
+static nook_status reorder(nook_index *order, const nook_edit *edit) {
+    nook_reorder state;
+    nook_status status = nook_reorder_begin(&state, &b.mesh, order, edit);
+    uint32_t steps = 0;
+    while (status == NOOK_OK || status == NOOK_MORE) {
+        uint32_t units = 1;
+        status = nook_reorder_step(&state, &units);
+        if (status == NOOK_OK) break;
+        steps++;
+    }
+    CHECK(steps <= 2 * b.mesh.nt);
+    return status;
+}
+
+/* Corner c of the mesh as it was, when triangle order[t] has become t. */
+static uint32_t after_order(const nook_index *order, uint32_t c) {
+    uint32_t t = 0;
+    while (order[t] != c / 3) t++;
+    return 3 * t + c % 3;
+}
+
+static void triangles_take_any_order_with_all_that_is_theirs(void) {
+    nook_index order[MOST], whole[MOST], O[3 * MOST], C[MOST];
+    uint8_t color[MOST];
+    float attribute[3 * MOST];
+    const nook_edit along = {.color = color, .attributes = attribute, .width = 1};
+    dice d = {7};
+    uint32_t i, t, c, v;
+    for (i = 0; i < shape_count && !test_has_failed(); i++) {
+        if (!begin_whole(i)) continue;
+        keep();
+        memcpy(O, b.mesh.O, 3 * b.mesh.nt * sizeof *O);
+        memcpy(C, b.mesh.C, b.mesh.nv * sizeof *C);
+        for (t = 0; t < b.mesh.nt; t++) {
+            uint32_t other = throw_dice(&d, t + 1);
+            order[t] = order[other];
+            order[other] = nook_store(t);
+            color[t] = (uint8_t)t;
+            for (c = 3 * t; c < 3 * t + 3; c++) attribute[c] = (float)c;
+        }
+        memcpy(whole, order, sizeof whole);
+        CHECK_EQUAL(reorder(order, i % 2 == 0 ? &along : NULL), NOOK_OK);
+        tables_hold();
+        for (t = 0; t < b.mesh.nt; t++) {
+            CHECK_EQUAL(order[t], t);
+            if (i % 2 == 0) CHECK_EQUAL(color[t], whole[t]);
+            for (c = 0; c < 3; c++) {
+                uint32_t was = 3u * whole[t] + c;
+                CHECK(b.mesh.V[3 * t + c] == kept_V()[was] &&
+                      b.mesh.O[3 * t + c] == after_order(whole, O[was]));
+                if (i % 2 == 0) CHECK(attribute[3 * t + c] == (float)was);
+            }
+        }
+        for (v = 0; v < b.mesh.nv; v++) {
+            if (C[v] != NOOK_STORED_NONE) CHECK_EQUAL(b.mesh.C[v], after_order(whole, C[v]));
+        }
+    }
+}
+
+/* Whatever stands in the order, there is a mesh of the same triangles in the end. */
+static void an_order_of_any_numbers_leaves_a_mesh(void) {
+    nook_index order[MOST];
+    nook_reorder state;
+    dice d = {8};
+    uint32_t round, t, refused = 0;
+    for (round = 0; round < 200 && !test_has_failed(); round++) {
+        nook_status status;
+        if (!begin_whole(throw_dice(&d, shape_count))) continue;
+        take_list();
+        for (t = 0; t < b.mesh.nt; t++) order[t] = nook_store(throw_dice(&d, b.mesh.nt + 1));
+        status = reorder(order, NULL);
+        refused += status == NOOK_INDEX_OUT_OF_RANGE;
+        tables_hold();
+        same_triangles();
+    }
+    CHECK(refused > 20);
+    begin_whole(1);
+    for (t = 0; t < b.mesh.nt; t++) order[t] = nook_store(b.mesh.nt - 1 - t);
+    b.mesh.O[0] = b.mesh.V[2] = b.mesh.C[0] =
+        NOOK_STORED_NONE; /* nor do tables of any bits lead out of them */
+    (void)reorder(order, NULL);
+    CHECK_EQUAL(nook_reorder_begin(&state, NULL, order, NULL), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_reorder_begin(&state, &b.mesh, NULL, NULL), NOOK_NULL_ARGUMENT);
+}
+
+/* The tree of a mesh in its order, without the order, is the tree. */
+static void a_mesh_in_the_order_of_its_tree_needs_none(void) {
+    static nook_boxes boxes[NOOK_BVH_GROUPS(MOST)], again[NOOK_BVH_GROUPS(MOST)];
+    nook_index order[MOST];
+    uint32_t i;
+    for (i = 0; i < shape_count && !test_has_failed(); i++) {
+        nook_view view;
+        nook_bvh bvh, other;
+        if (!begin_whole(i)) continue;
+        view = nook_view_of(&b.mesh);
+        CHECK_EQUAL(nook_bvh_build(&bvh, &view, boxes, order, NULL), NOOK_OK);
+        CHECK_EQUAL(reorder(order, NULL), NOOK_OK);
+        CHECK_EQUAL(nook_bvh_build(&other, &view, again, NULL, NULL), NOOK_OK);
+        CHECK(memcmp(boxes, again, (bvh.root + 1) * sizeof *boxes) == 0);
+    }
+}
+
 static const test tests[] = {
     TEST(every_triangle_can_be_made_or_not_as_the_list_says),
     TEST(a_triangle_that_cannot_be_made_says_why),
@@ -576,6 +678,9 @@ static const test tests[] = {
     TEST(every_fan_gets_a_vertex_of_its_own),
     TEST(a_mesh_of_mostly_lonely_vertices_has_its_marks_cleared),
     TEST(fans_stay_together_where_there_is_no_room),
+    TEST(triangles_take_any_order_with_all_that_is_theirs),
+    TEST(an_order_of_any_numbers_leaves_a_mesh),
+    TEST(a_mesh_in_the_order_of_its_tree_needs_none),
 };
 
 void test_sew(void) { run_tests(tests, sizeof tests / sizeof *tests); }

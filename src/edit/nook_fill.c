@@ -7,9 +7,10 @@
 #include "edit/nook_fill.h"
 
 #include "edit/nook_inner.h"
+#include "query/nook_pair.h"
 #include "walk/nook_border.h"
 
-enum { MEASURE, COLLECT, LOOK, INSIDE, ACROSS, CUT, SHIFT, RADIATE, TALLY, JOIN, DONE };
+enum { MEASURE, COLLECT, LOOK, INSIDE, ACROSS, CUT, SHIFT, RADIATE, TALLY, HOLD, JOIN, DONE };
 
 /* ---- the loop -------------------------------------------------------------------------------------- */
 
@@ -229,8 +230,8 @@ static nook_status tally(nook_fill *f) {
     nook_view view = nook_view_of(m);
     uint32_t v;
     if (f->edit == NULL || f->edit->max_valence == 0 || f->at == 3u * f->made) {
-        f->at = 0;
-        f->phase = JOIN;
+        f->at = f->other = 0;
+        f->phase = nook_has_tree(f->edit) ? HOLD : JOIN;
         return NOOK_OK;
     }
     v = m->V[3u * m->nt + f->at];
@@ -243,6 +244,35 @@ static nook_status tally(nook_fill *f) {
     return nook_has_room(&view, m->C[v], f->ear, f->edit) ? NOOK_OK : NOOK_TOO_MANY_TRIANGLES;
 }
 
+/* The corners of a planned triangle. */
+static void plan(const nook_fill *f, uint32_t i, const nook_point *p[3]) {
+    uint32_t k;
+    for (k = 0; k < 3u; k++) {
+        uint32_t v = f->mesh->V[3u * (f->mesh->nt + i) + k];
+        p[k] = v == f->mesh->nv ? &f->centroid : &f->mesh->G[v];
+    }
+}
+
+/* A planned triangle is held against the tree, which has boxes for it from now on, then against each of those after it. */
+NOOK_APART static nook_status hold(nook_fill *f) {
+    nook_change change;
+    nook_status status = NOOK_OK;
+    const nook_point *p[3], *q[3];
+    plan(f, f->at, p);
+    plan(f, f->other, q);
+    if (f->other == f->at) {
+        nook_change_begin(&change, f->mesh, NOOK_NONE, NOOK_NONE);
+        nook_change_make(&change, p[0], p[1], p[2]);
+        status = nook_change_status(&change, f->edit);
+        nook_bvh_widen(f->edit->bvh, f->edit->boxes, f->mesh->nt + f->at, p);
+    } else if (nook_corners_intersect(p, q)) {
+        status = NOOK_SELF_INTERSECTION;
+    }
+    if (++f->other == f->made) f->other = ++f->at;
+    if (f->at == f->made) f->at = 0, f->phase = JOIN;
+    return status;
+}
+
 /* A planned corner is joined to the mesh; after the last all are the mesh's. */
 static void join_planned(nook_fill *f) {
     nook_mesh *m = f->mesh;
@@ -251,8 +281,9 @@ static void join_planned(nook_fill *f) {
     if (f->at % 3u == 0) nook_copy_color(f->edit, nook_triangle(c), nook_triangle(f->c));
     nook_copy_attributes(f->edit, c, v == m->nv ? 3u * m->nt : m->C[v]);
     if (++f->at < 3u * f->made) return;
-    if (f->way == NOOK_FILL_CENTROID) nook_add_vertex(m, f->centroid, 3u * m->nt);
+    if (f->way == NOOK_FILL_CENTROID) nook_add_vertex(m, f->centroid, 3u * m->nt, f->edit);
     m->nt += f->made;
+    nook_follow(m, f->edit);
     f->phase = DONE;
 }
 
@@ -284,6 +315,7 @@ static nook_status advance(nook_fill *f) {
     case SHIFT: shift(f); break;
     case RADIATE: status = radiate(f); break;
     case TALLY: status = tally(f); break;
+    case HOLD: status = hold(f); break;
     default: join_planned(f); break;
     }
     return status;

@@ -53,6 +53,28 @@ bool nook_move_turns(const nook_mesh *m, uint32_t t, const nook_move *move, cons
 bool nook_move_turns_fan(const nook_mesh *m, uint32_t c, const nook_move *move, uint32_t a, uint32_t b,
                          const nook_edit *edit);
 
+/* What an edit is about to do to a mesh, for the question whether it cuts itself then. Points say by their addresses what they
+ * are of; each triangle is counted once. */
+typedef struct nook_change {
+    nook_view view;
+    const nook_point *made[4][3]; /* triangles that are new */
+    uint32_t count;
+    uint32_t gone[3]; /* triangles that go, or NOOK_NONE */
+    nook_star fan[2]; /* those about a vertex that changes, and what it becomes there */
+    uint32_t v[2];
+    const nook_point *to[2];
+} nook_change;
+
+static inline bool nook_has_tree(const nook_edit *edit) { return edit != NULL && edit->bvh != NULL; }
+
+/* Nothing but that two triangles go, where these are not NOOK_NONE. */
+void nook_change_begin(nook_change *change, const nook_mesh *m, uint32_t gone, uint32_t gone_too);
+void nook_change_make(nook_change *change, const nook_point *a, const nook_point *b, const nook_point *c);
+/* Vertex v(c) moves with all its triangles. */
+void nook_change_fan(nook_change *change, uint32_t i, uint32_t c, const nook_point *to);
+/* With a tree; NOOK_OK, NOOK_SELF_INTERSECTION, or NOOK_INDEX_OUT_OF_RANGE. */
+nook_status nook_change_status(const nook_change *change, const nook_edit *edit);
+
 /* ---- changing -------------------------------------------------------------------------------------- */
 
 static inline void nook_join(nook_mesh *m, uint32_t c, uint32_t o) {
@@ -66,8 +88,13 @@ static inline void nook_set_triangle(nook_mesh *m, uint32_t t, uint32_t v0, uint
     m->V[3u * t + 2u] = nook_store(v2);
 }
 
+/* The tree learns what mesh there is now; and that triangle t, or all in the fan of c, are new or have changed. */
+void nook_follow(const nook_mesh *m, const nook_edit *edit);
+void nook_follow_triangle(const nook_mesh *m, uint32_t t, const nook_edit *edit);
+void nook_follow_fan(const nook_mesh *m, uint32_t c, const nook_edit *edit);
+
 /* Vertex mesh->nv, which is counted from now on. */
-void nook_add_vertex(nook_mesh *m, nook_point at, uint32_t c);
+void nook_add_vertex(nook_mesh *m, nook_point at, uint32_t c, const nook_edit *edit);
 void nook_copied(const nook_edit *edit, uint32_t from, uint32_t to);
 
 /* Triangle t, or vertex v, is joined to nothing any more: the last one takes its number. With two, of either kind, the

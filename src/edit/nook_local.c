@@ -25,6 +25,15 @@ NOOK_APART static bool flip_turns(const nook_mesh *m, uint32_t c, uint32_t o, co
     return nook_is_turned(edit, p[0], p[1], p[2], p) || nook_is_turned(edit, p[0], p[2], p[3], p);
 }
 
+NOOK_APART static nook_status flip_cuts(const nook_mesh *m, uint32_t c, uint32_t o, const nook_edit *edit) {
+    nook_change change;
+    if (!nook_has_tree(edit)) return NOOK_OK;
+    nook_change_begin(&change, m, nook_triangle(c), nook_triangle(o));
+    nook_change_make(&change, point_of(m, c), point_of(m, nook_next(c)), point_of(m, o));
+    nook_change_make(&change, point_of(m, c), point_of(m, o), point_of(m, nook_prev(c)));
+    return nook_change_status(&change, edit);
+}
+
 nook_status nook_flip(nook_mesh *m, uint32_t c, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     nook_status status = edge_status(m, c);
@@ -37,6 +46,8 @@ nook_status nook_flip(nook_mesh *m, uint32_t c, const nook_edit *edit) {
         return NOOK_TOO_MANY_TRIANGLES;
     if (d == m->V[c] || nook_is_joined(&view, c, d)) return NOOK_DUPLICATE_EDGE;
     if (flip_turns(m, c, o, edit)) return NOOK_TURNED_TRIANGLE;
+    status = flip_cuts(m, c, o, edit);
+    if (status != NOOK_OK) return status;
     x = nook_across(m, nook_next(o));
     y = nook_across(m, nook_next(c));
     m->V[nook_prev(c)] = nook_store(d);
@@ -48,6 +59,8 @@ nook_status nook_flip(nook_mesh *m, uint32_t c, const nook_edit *edit) {
     nook_join(m, nook_next(c), nook_next(o));
     m->C[n] = nook_store(nook_next(o));
     m->C[b] = nook_store(nook_next(c));
+    nook_follow_triangle(m, nook_triangle(c), edit);
+    nook_follow_triangle(m, nook_triangle(o), edit);
     return NOOK_OK;
 }
 
@@ -57,9 +70,22 @@ NOOK_APART static bool corner_turns(const nook_mesh *m, uint32_t c, nook_point a
     return nook_move_turns(m, nook_triangle(c), &move, edit);
 }
 
+/* Triangles are to be cut up, the pieces being each that of one of these corners with the corner moved to at. */
+NOOK_APART static nook_status pieces_cut(const nook_mesh *m, const uint32_t *corner, uint32_t n,
+                                         const nook_point *at, const nook_edit *edit) {
+    nook_change change;
+    uint32_t i;
+    if (!nook_has_tree(edit)) return NOOK_OK;
+    nook_change_begin(&change, m, nook_triangle(corner[0]), nook_triangle(corner[n - 1u]));
+    for (i = 0; i < n; i++)
+        nook_change_make(&change, at, point_of(m, nook_next(corner[i])), point_of(m, nook_prev(corner[i])));
+    return nook_change_status(&change, edit);
+}
+
 NOOK_APART static nook_status split_triangle_status(const nook_mesh *m, uint32_t t, nook_point at,
                                                     const nook_edit *edit) {
     nook_view view = nook_view_of(m);
+    const uint32_t corner[3] = {3u * t, 3u * t + 1u, 3u * t + 2u};
     nook_status status;
     uint32_t c;
     if (t >= m->nt) return NOOK_INDEX_OUT_OF_RANGE;
@@ -71,7 +97,7 @@ NOOK_APART static nook_status split_triangle_status(const nook_mesh *m, uint32_t
         if (!nook_has_room(&view, c, 1, edit)) return NOOK_TOO_MANY_TRIANGLES;
         if (corner_turns(m, c, at, edit)) return NOOK_TURNED_TRIANGLE;
     }
-    return NOOK_OK;
+    return pieces_cut(m, corner, 3, &at, edit);
 }
 
 /* Those of a point in the triangle of c, at the first new corner. */
@@ -111,8 +137,9 @@ nook_status nook_split_triangle(nook_mesh *m, uint32_t t, nook_point at, const n
     nook_join(m, c + 1u, q + 2u);
     nook_join(m, c + 2u, r + 1u);
     nook_join(m, q + 1u, r + 2u);
-    nook_add_vertex(m, at, c);
+    nook_add_vertex(m, at, c, edit);
     m->C[a] = nook_store(q + 2u);
+    nook_follow_fan(m, c, edit);
     return NOOK_OK;
 }
 
@@ -142,7 +169,7 @@ NOOK_APART static nook_status split_edge_status(const nook_mesh *m, uint32_t c, 
                                                 const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     nook_status status = edge_status(m, c);
-    uint32_t o, side;
+    uint32_t o, side, corner[4];
     if (status != NOOK_OK) return status;
     o = nook_across(m, c);
     if (o != NOOK_NONE && m->V[o] == m->V[c]) return NOOK_DUPLICATE_TRIANGLE;
@@ -153,8 +180,10 @@ NOOK_APART static nook_status split_edge_status(const nook_mesh *m, uint32_t c, 
         if (!nook_has_room(&view, x, 1, edit)) return NOOK_TOO_MANY_TRIANGLES;
         if (corner_turns(m, nook_next(x), at, edit)) return NOOK_TURNED_TRIANGLE;
         if (corner_turns(m, nook_prev(x), at, edit)) return NOOK_TURNED_TRIANGLE;
+        corner[2u * side] = nook_next(x);
+        corner[2u * side + 1u] = nook_prev(x);
     }
-    return NOOK_OK;
+    return pieces_cut(m, corner, 2u * side, &at, edit);
 }
 
 nook_status nook_split_edge(nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
@@ -187,8 +216,9 @@ nook_status nook_split_edge(nook_mesh *m, uint32_t c, nook_point at, const nook_
         nook_join(m, nook_prev(o), r + 1u);
         nook_join(m, q, r);
     }
-    nook_add_vertex(m, at, nook_prev(c));
+    nook_add_vertex(m, at, nook_prev(c), edit);
     m->C[end] = nook_store(q + 2u);
+    nook_follow_fan(m, nook_prev(c), edit);
     return NOOK_OK;
 }
 
@@ -239,6 +269,31 @@ NOOK_APART static bool wedge_turns(const nook_mesh *m, uint32_t c, uint32_t k, u
         if (nook_is_turned(edit, point_of(m, x), first ? w : v, first ? v : w, old)) return true;
     }
     return false;
+}
+
+/* The triangle of wedge_turns(). */
+static void make_wedge(nook_change *change, const nook_mesh *m, uint32_t c, uint32_t k, uint32_t x,
+                       const nook_point *at) {
+    const nook_point *v = point_of(m, k);
+    bool first = k == nook_next(c);
+    nook_change_make(change, point_of(m, x), first ? at : v, first ? v : at);
+}
+
+NOOK_APART static nook_status sector_cuts(const nook_mesh *m, uint32_t c, uint32_t d, const nook_point *at,
+                                          const nook_edit *edit, const sector *s) {
+    nook_change change;
+    nook_star star;
+    if (!nook_has_tree(edit)) return NOOK_OK;
+    nook_change_begin(&change, m, NOOK_NONE, NOOK_NONE);
+    nook_change_fan(&change, 0, s->first, at);
+    star.view = &change.view;
+    star.first = star.next = s->first;
+    star.left = s->n;
+    star.open = star.clockwise = false;
+    change.fan[0] = star;
+    if (c != NOOK_NONE) make_wedge(&change, m, c, nook_next(c), nook_prev(c), at);
+    if (d != NOOK_NONE) make_wedge(&change, m, d, nook_prev(d), nook_next(d), at);
+    return nook_change_status(&change, edit);
 }
 
 NOOK_APART static nook_status split_vertex_status(const nook_mesh *m, uint32_t c, uint32_t d, nook_point at,
@@ -325,6 +380,7 @@ nook_status nook_split_vertex(nook_mesh *m, uint32_t c, uint32_t d, nook_point a
     nook_status status = split_vertex_status(m, c, d, at, edit, &s);
     uint32_t x, next, w = m->nv, v, q = NOOK_NONE, place = NOOK_NONE;
     float weights[3];
+    if (status == NOOK_OK) status = sector_cuts(m, c, d, &at, edit, &s);
     if (status != NOOK_OK) return status;
     if (edit != NULL && edit->attributes != NULL) place = find_place(m, &s, at, weights);
     v = m->V[s.first];
@@ -332,10 +388,11 @@ nook_status nook_split_vertex(nook_mesh *m, uint32_t c, uint32_t d, nook_point a
         next = nook_turn(&view, x, false);
         m->V[x] = nook_store(w);
     }
-    nook_add_vertex(m, at, s.first);
+    nook_add_vertex(m, at, s.first, edit);
     if (c != NOOK_NONE) q = add_wedge(m, c, true, v, w, edit);
     if (d != NOOK_NONE) nook_join(m, add_wedge(m, d, false, v, w, edit), q);
     if (place != NOOK_NONE) place_attributes(m, place, weights, edit);
+    nook_follow_fan(m, s.first, edit);
     return NOOK_OK;
 }
 
@@ -407,6 +464,16 @@ NOOK_APART static bool collapse_turns(const nook_mesh *m, uint32_t c, nook_point
            nook_move_turns_fan(m, nook_prev(c), &move, t, u, edit);
 }
 
+NOOK_APART static nook_status collapse_cuts(const nook_mesh *m, uint32_t c, const nook_point *at,
+                                            const nook_edit *edit) {
+    nook_change change;
+    if (!nook_has_tree(edit)) return NOOK_OK;
+    nook_change_begin(&change, m, nook_triangle(c), nook_triangle(m->O[c]));
+    nook_change_fan(&change, 0, nook_next(c), at);
+    nook_change_fan(&change, 1, nook_prev(c), at);
+    return nook_change_status(&change, edit);
+}
+
 /* Attributes at the point to be, by triangle at the edge, are left at the corners c and o, which go. Where B or C had
  * those of that triangle, they become these; beyond a crease they stay. */
 NOOK_APART static void merge_attributes(nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
@@ -450,6 +517,8 @@ nook_status nook_collapse(nook_mesh *m, uint32_t c, nook_point at, const nook_ed
     uint32_t o, gone, kept;
     if (status != NOOK_OK) return status;
     if (collapse_turns(m, c, at, edit)) return NOOK_TURNED_TRIANGLE;
+    status = collapse_cuts(m, c, &at, edit);
+    if (status != NOOK_OK) return status;
     o = nook_across(m, c);
     gone = m->V[nook_next(c)];
     kept = m->V[nook_prev(c)];
@@ -458,6 +527,7 @@ nook_status nook_collapse(nook_mesh *m, uint32_t c, nook_point at, const nook_ed
     close_gap(m, c);
     if (o != NOOK_NONE) close_gap(m, o);
     m->G[kept] = at;
+    nook_follow_fan(m, m->C[kept], edit);
     if (o != NOOK_NONE) {
         nook_drop_triangles(m, nook_triangle(c), nook_triangle(o), edit);
     } else {
@@ -484,15 +554,20 @@ NOOK_APART static nook_status remove_vertex_status(const nook_mesh *m, uint32_t 
                                                    const nook_edit *edit) {
     nook_status status = nook_triangle_status(m, q);
     const nook_point *a, *none[4];
+    nook_change change;
     uint32_t i;
     if (status == NOOK_OK) status = nook_triangle_status(m, r);
     if (status != NOOK_OK) return status;
     if (apex(m, c) == m->V[nook_prev(q)]) return NOOK_DUPLICATE_TRIANGLE;
     a = point_of(m, nook_prev(q));
     for (i = 0; i < 4u; i++) none[i] = a;
-    return nook_is_turned(edit, a, point_of(m, nook_next(c)), point_of(m, nook_prev(c)), none)
-               ? NOOK_TURNED_TRIANGLE
-               : NOOK_OK;
+    if (nook_is_turned(edit, a, point_of(m, nook_next(c)), point_of(m, nook_prev(c)), none))
+        return NOOK_TURNED_TRIANGLE;
+    if (!nook_has_tree(edit)) return NOOK_OK;
+    nook_change_begin(&change, m, nook_triangle(c), nook_triangle(q));
+    change.gone[2] = nook_triangle(r);
+    nook_change_make(&change, a, point_of(m, nook_next(c)), point_of(m, nook_prev(c)));
+    return nook_change_status(&change, edit);
 }
 
 nook_status nook_remove_vertex(nook_mesh *m, uint32_t v, const nook_edit *edit) {
@@ -520,6 +595,7 @@ nook_status nook_remove_vertex(nook_mesh *m, uint32_t v, const nook_edit *edit) 
     m->C[a] = nook_store(c);
     m->C[m->V[nook_next(c)]] = nook_store(nook_next(c));
     m->C[m->V[nook_prev(c)]] = nook_store(nook_prev(c));
+    nook_follow_triangle(m, nook_triangle(c), edit);
     nook_drop_triangles(m, nook_triangle(q), nook_triangle(r), edit);
     nook_drop_vertex(m, v, edit);
     return NOOK_OK;

@@ -7,7 +7,7 @@
 
 nook_status nook_make_vertex(nook_mesh *m, nook_point at) {
     if (m->nv == m->max_nv) return NOOK_NO_CAPACITY;
-    nook_add_vertex(m, at, NOOK_NONE);
+    nook_add_vertex(m, at, NOOK_NONE, NULL);
     return NOOK_OK;
 }
 
@@ -54,6 +54,14 @@ NOOK_APART static nook_status make_status(const nook_mesh *m, const uint32_t v[3
     return NOOK_OK;
 }
 
+NOOK_APART static nook_status triangle_cuts(const nook_mesh *m, const uint32_t v[3], const nook_edit *edit) {
+    nook_change change;
+    if (!nook_has_tree(edit)) return NOOK_OK;
+    nook_change_begin(&change, m, NOOK_NONE, NOOK_NONE);
+    nook_change_make(&change, &m->G[v[0]], &m->G[v[1]], &m->G[v[2]]);
+    return nook_change_status(&change, edit);
+}
+
 nook_status nook_make_triangle(nook_mesh *m, const uint32_t v[3], const nook_edit *edit) {
     uint32_t partner[3], i, c = 3u * m->nt, from;
     nook_status status = make_status(m, v, partner, edit);
@@ -62,6 +70,8 @@ nook_status nook_make_triangle(nook_mesh *m, const uint32_t v[3], const nook_edi
     if (partner[0] != NOOK_NONE && m->V[partner[0]] == v[0]) return NOOK_DUPLICATE_TRIANGLE;
     for (i = 0; i < 4u; i++) none[i] = &m->G[v[0]];
     if (nook_is_turned(edit, &m->G[v[0]], &m->G[v[1]], &m->G[v[2]], none)) return NOOK_TURNED_TRIANGLE;
+    status = triangle_cuts(m, v, edit);
+    if (status != NOOK_OK) return status;
     nook_new_triangle(m->nt, edit);
     nook_set_triangle(m, m->nt++, v[0], v[1], v[2]);
     for (i = 0; i < 3u; i++, c++) {
@@ -73,6 +83,7 @@ nook_status nook_make_triangle(nook_mesh *m, const uint32_t v[3], const nook_edi
         if (o != NOOK_NONE) nook_copy_color(edit, m->nt - 1u, nook_triangle(o));
         if (m->C[v[i]] == NOOK_STORED_NONE) m->C[v[i]] = nook_store(c);
     }
+    nook_follow_triangle(m, m->nt - 1u, edit);
     return NOOK_OK;
 }
 
@@ -139,6 +150,15 @@ NOOK_APART static nook_status stitch_conditions(const nook_mesh *m, const seam *
     return NOOK_OK;
 }
 
+NOOK_APART static nook_status stitch_cuts(const nook_mesh *m, const seam *s, const nook_edit *edit) {
+    nook_change change;
+    if (!nook_has_tree(edit)) return NOOK_OK;
+    nook_change_begin(&change, m, NOOK_NONE, NOOK_NONE);
+    if (m->V[s->b] != m->V[s->b2]) nook_change_fan(&change, 0, s->b2, &m->G[m->V[s->b]]);
+    if (m->V[s->e] != m->V[s->e2]) nook_change_fan(&change, 1, s->e2, &m->G[m->V[s->e]]);
+    return nook_change_status(&change, edit);
+}
+
 NOOK_APART static nook_status stitch_status(const nook_mesh *m, uint32_t c, uint32_t d, const seam *s) {
     nook_status status = nook_triangle_status(m, c);
     if (status == NOOK_OK) status = nook_triangle_status(m, d);
@@ -156,11 +176,14 @@ nook_status nook_stitch(nook_mesh *m, uint32_t c, uint32_t d, const nook_edit *e
     nook_status status = stitch_status(m, c, d, &s);
     uint32_t b, b2, e, e2;
     if (status == NOOK_OK) status = stitch_conditions(m, &s, edit);
+    if (status == NOOK_OK) status = stitch_cuts(m, &s, edit);
     if (status != NOOK_OK) return status;
     b = m->V[s.b], e = m->V[s.e], b2 = m->V[s.b2], e2 = m->V[s.e2];
     if (b != b2) nook_rename_fan(m, s.b2, b);
     if (e != e2) nook_rename_fan(m, s.e2, e);
     nook_join(m, c, d);
+    nook_follow_fan(m, s.b, edit);
+    nook_follow_fan(m, s.e, edit);
     if (b != b2 && e != e2) {
         nook_drop_vertices(m, b2, e2, edit);
     } else if (b != b2 || e != e2) {
@@ -174,7 +197,7 @@ static void divide(nook_mesh *m, uint32_t x, uint32_t y, const nook_edit *edit) 
     uint32_t v = m->V[x];
     m->C[v] = nook_store(y);
     nook_rename_fan(m, x, m->nv);
-    nook_add_vertex(m, m->G[v], x);
+    nook_add_vertex(m, m->G[v], x, edit);
     nook_copied(edit, v, m->nv - 1u);
 }
 

@@ -107,7 +107,7 @@ static nook_status lead(nook_split_fans *s, uint32_t c) {
     if (first) {
         m->C[v] = nook_store(c);
     } else {
-        nook_add_vertex(m, m->G[v], c);
+        nook_add_vertex(m, m->G[v], c, s->edit);
         nook_copied(s->edit, v, s->v);
     }
     return NOOK_OK;
@@ -152,6 +152,71 @@ nook_status nook_split_fans_step(nook_split_fans *s, uint32_t *units) {
             s->phase++;
         }
         if (status != NOOK_OK) return status;
+    }
+    return NOOK_OK;
+}
+
+/* ---- reorder --------------------------------------------------------------------------------------- */
+
+nook_status nook_reorder_begin(nook_reorder *r, nook_mesh *mesh, nook_index *order, const nook_edit *edit) {
+    if (mesh == NULL || order == NULL) return NOOK_NULL_ARGUMENT;
+    r->mesh = mesh;
+    r->order = order;
+    r->edit = edit;
+    r->first = r->at = 0;
+    return NOOK_OK;
+}
+
+/* The name of corner c when triangles t and u have changed places. */
+static uint32_t exchanged(uint32_t c, uint32_t t, uint32_t u) {
+    uint32_t of = nook_triangle(c);
+    return of == t ? c - 3u * t + 3u * u : of == u ? c - 3u * u + 3u * t : c;
+}
+
+/* All that names a corner of t or u first, then what stands at them. */
+static void exchange(const nook_reorder *r, uint32_t t, uint32_t u) {
+    nook_mesh *m = r->mesh;
+    uint32_t i, c, d, o[6], v[6];
+    bool stands[6];
+    for (i = 0; i < 6u; i++) {
+        c = i < 3u ? 3u * t + i : 3u * u + i - 3u;
+        o[i] = m->O[c];
+        v[i] = m->V[c];
+        stands[i] = v[i] < m->nv && m->C[v[i]] == c;
+    }
+    for (i = 0; i < 6u; i++) {
+        c = i < 3u ? 3u * t + i : 3u * u + i - 3u;
+        d = exchanged(c, t, u);
+        m->V[d] = nook_store(v[i]);
+        m->O[d] = nook_store(exchanged(o[i], t, u));
+        if (nook_triangle(o[i]) != t && nook_triangle(o[i]) != u && o[i] < 3u * m->nt)
+            m->O[o[i]] = nook_store(d);
+        if (stands[i]) m->C[v[i]] = nook_store(d);
+    }
+    for (i = 0; i < 3u; i++) nook_swap_attributes(r->edit, 3u * t + i, 3u * u + i);
+    if (r->edit != NULL && r->edit->color != NULL) {
+        uint8_t keep = r->edit->color[t];
+        r->edit->color[t] = r->edit->color[u];
+        r->edit->color[u] = keep;
+    }
+}
+
+/* Along a cycle: what belongs at this place comes here, and what stood here goes on to where that was. */
+nook_status nook_reorder_step(nook_reorder *r, uint32_t *units) {
+    while (r->first < r->mesh->nt) {
+        uint32_t at = r->at, next = r->order[at];
+        if (*units == 0) return NOOK_MORE;
+        --*units;
+        if (next >= r->mesh->nt) return NOOK_INDEX_OUT_OF_RANGE;
+        r->order[at] = nook_store(at);
+        if (next == r->first) {
+            r->at = ++r->first;
+        } else if (next == at) {
+            return NOOK_INDEX_OUT_OF_RANGE;
+        } else {
+            exchange(r, at, next);
+            r->at = next;
+        }
     }
     return NOOK_OK;
 }

@@ -1,6 +1,7 @@
-/* nook_whole.h -- edits of a whole mesh: turn a shell inside out, and give every fan a vertex of its own.
+/* nook_whole.h -- edits of a whole mesh: turn a shell inside out, give every fan a vertex of its own, and put the triangles in
+ * another order.
  *
- * Both first look at everything, and change nothing if they refuse. */
+ * The first two look at everything first, and change nothing if they refuse. */
 #ifndef NOOK_WHOLE_H
 #define NOOK_WHOLE_H
 
@@ -49,5 +50,22 @@ typedef struct nook_split_fans {
 nook_status nook_split_fans_begin(nook_split_fans *split, nook_mesh *mesh, const nook_marks *marks,
                                   const nook_edit *edit);
 nook_status nook_split_fans_step(nook_split_fans *split, uint32_t *units);
+
+typedef struct nook_reorder {
+    nook_mesh *mesh;
+    nook_index *order;
+    const nook_edit *edit;
+    uint32_t first, at;
+} nook_reorder;
+
+/* Triangle order[t] becomes triangle t, with its corners as they are, its color and its attributes; order[nt] becomes 0, 1, 2
+ * ... So that a tree needs no order: build it, reorder its mesh by its order, and set bvh.order to null (the boxes stay as they are).
+ * Renames are not told: order says them all before. The mesh is whole after every step.
+ *   NOOK_NULL_ARGUMENT       mesh, order
+ *   NOOK_INDEX_OUT_OF_RANGE  order names no triangle, or one twice; some triangles have moved
+ * Steps: 2 nt. One unit exchanges two triangles. */
+nook_status nook_reorder_begin(nook_reorder *reorder, nook_mesh *mesh, nook_index *order,
+                               const nook_edit *edit);
+nook_status nook_reorder_step(nook_reorder *reorder, uint32_t *units);
 
 #endif

@@ -262,6 +262,7 @@ static void leaves(nook_bvh_state *s, uint32_t end) {
         nook_point low, high;
         uint32_t axis;
         if ((s->at & 15u) == 0) clear_group(group);
+        if (s->at >= bvh->view.nt) continue; /* room for more */
         nook_box(&bvh->view, nook_triangle_at(bvh, s->at), &low, &high);
         for (axis = 0; axis < 3u; axis++) {
             widen_bound(group, s->at >> 2 & 3u, axis, nook_cell(bvh, nook_along(&low, axis), axis),
@@ -288,7 +289,7 @@ static void groups(nook_bvh_state *s, uint32_t end) {
 
 static nook_status begin(nook_bvh_state *s, nook_bvh *bvh, nook_boxes *boxes, nook_index *order,
                          nook_where *where) {
-    uint32_t nt = bvh->view.nt;
+    uint32_t nt = bvh->view.nt, places = bvh->places;
     memset(s, 0, sizeof *s);
     s->bvh = bvh;
     s->boxes = boxes;
@@ -297,20 +298,23 @@ static nook_status begin(nook_bvh_state *s, nook_bvh *bvh, nook_boxes *boxes, no
     s->where = where;
     s->end = nt;
     if (nt == 0) return refuse(s, NOOK_EMPTY_MESH, NOOK_NOWHERE, 0);
+    bvh->stray = 0;
     bvh->root = 0;
-    for (bvh->levels = 1; nook_groups_of_level(nt, bvh->levels) > 1u; bvh->levels++)
-        bvh->root += nook_groups_of_level(nt, bvh->levels);
+    for (bvh->levels = 1; nook_groups_of_level(places, bvh->levels) > 1u; bvh->levels++)
+        bvh->root += nook_groups_of_level(places, bvh->levels);
     while ((uint32_t)4 << s->height < nt) s->height++;
     nothing(s);
     s->fresh = true;
     return NOOK_OK;
 }
+
 nook_status nook_bvh_begin(nook_bvh_state *s, nook_bvh *bvh, const nook_view *view, nook_boxes *boxes,
                            nook_index *order, nook_where *where) {
     if (s == NULL || bvh == NULL || view == NULL || boxes == NULL) return NOOK_NULL_ARGUMENT;
     memset(bvh, 0, sizeof *bvh);
     bvh->view = *view;
     bvh->order = order;
+    bvh->places = view->nt;
     return begin(s, bvh, boxes, order, where);
 }
 
@@ -327,11 +331,11 @@ static void begin_phase(nook_bvh_state *s, uint32_t phase, uint32_t at, uint32_t
 
 /* What comes when a phase has gone through all of its elements. */
 static void after(nook_bvh_state *s) {
-    uint32_t nt = s->bvh->view.nt;
+    uint32_t nt = s->bvh->view.nt, places = s->bvh->places;
     switch (s->phase) {
     case LOOK:
         set_grid(s);
-        begin_phase(s, s->order != NULL ? CUT : LEAVES, 0, nt);
+        begin_phase(s, s->order != NULL ? CUT : LEAVES, 0, s->order != NULL ? nt : places);
         break;
     case MEASURE: begin_phase(s, ASSIGN, s->from, s->to); break;
     case ASSIGN:
@@ -341,7 +345,7 @@ static void after(nook_bvh_state *s) {
         break;
     case EXTENT: after_extent(s); break;
     case PART: after_part(s); break;
-    case LEAVES: begin_phase(s, GROUPS, 0, (nt + 15u) / 16u); break;
+    case LEAVES: begin_phase(s, GROUPS, 0, (places + 15u) / 16u); break;
     default:
         s->base += s->end;
         begin_phase(s, GROUPS, 0, (s->end + 3u) / 4u);
@@ -380,16 +384,57 @@ nook_status nook_bvh_step(nook_bvh_state *s, uint32_t *units) {
     return NOOK_OK;
 }
 
+static nook_status finish(nook_bvh_state *s, nook_status status) {
+    while (status == NOOK_OK && s->phase != BUILT) {
+        uint32_t units = 1u << 10;
+        status = nook_bvh_step(s, &units);
+        if (status == NOOK_MORE) status = NOOK_OK;
+    }
+    return status;
+}
+
 nook_status nook_bvh_build(nook_bvh *bvh, const nook_view *view, nook_boxes *boxes, nook_index *order,
                            nook_where *where) {
     nook_bvh_state state;
-    nook_status status = nook_bvh_begin(&state, bvh, view, boxes, order, where);
-    if (status != NOOK_OK) return status;
-    do {
-        uint32_t units = 1u << 10;
-        status = nook_bvh_step(&state, &units);
-    } while (status == NOOK_MORE);
-    return status;
+    return finish(&state, nook_bvh_begin(&state, bvh, view, boxes, order, where));
+}
+
+nook_status nook_bvh_refit(nook_bvh *bvh, nook_boxes *boxes, nook_where *where) {
+    nook_bvh_state state;
+    return finish(&state, nook_bvh_refit_begin(&state, bvh, boxes, where));
+}
+
+/* ---- edits ---------------------------------------------------------------------------------------- */
+
+nook_status nook_bvh_follow(nook_bvh *bvh, const nook_mesh *mesh, nook_boxes *boxes) {
+    if (bvh == NULL || mesh == NULL || boxes == NULL) return NOOK_NULL_ARGUMENT;
+    memset(bvh, 0, sizeof *bvh);
+    bvh->view = nook_view_of(mesh);
+    bvh->boxes = boxes;
+    bvh->places = mesh->max_nt;
+    return NOOK_OK;
+}
+
+static bool is_on_grid(const nook_bvh *bvh, float x, uint32_t axis) {
+    float cell = (x - nook_along(&bvh->origin, axis)) * nook_along(&bvh->cells, axis);
+    return cell >= 0 && cell < (float)NOOK_LAST_CELL + 1.0f;
+}
+
+void nook_bvh_widen(nook_bvh *bvh, nook_boxes *boxes, uint32_t t, const nook_point *const p[3]) {
+    nook_point low = nook_low(nook_low(*p[0], *p[1]), *p[2]),
+               high = nook_high(nook_high(*p[0], *p[1]), *p[2]);
+    uint32_t level, axis, from[3], to[3];
+    for (axis = 0; axis < 3u; axis++) {
+        float least = nook_along(&low, axis), most = nook_along(&high, axis);
+        from[axis] = nook_cell(bvh, least, axis);
+        to[axis] = nook_cell(bvh, most, axis);
+        if (!is_on_grid(bvh, least, axis) || !is_on_grid(bvh, most, axis)) bvh->stray = 0x1p100f;
+    }
+    for (level = 1; level <= bvh->levels; level++) {
+        t >>= 2;
+        for (axis = 0; axis < 3u; axis++) widen_bound(&boxes[t >> 2], t & 3u, axis, from[axis], to[axis]);
+        boxes += nook_groups_of_level(bvh->places, level);
+    }
 }
 
 /* ---- descent -------------------------------------------------------------------------------------- */

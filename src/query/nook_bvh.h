@@ -7,7 +7,7 @@
  *
  *   bytes a triangle    8-bit bounds   16-bit bounds
  *   boxes                    2               4        (24 or 48 a group, 3 groups for 64 triangles and 1 more for 256 ...)
- *   order                    2 or 4 as nook_index; 0 where the mesh stands in the order of the tree
+ *   order                    2 or 4 as nook_index; 0 where the mesh stands in the order of the tree (nook_reorder)
  *
  * Built anywhere, it is the same everywhere, bit for bit; const afterwards, in flash or RAM, for any number of tasks.
  * Boxes may hold any bits: answers may then be wrong, but no access leaves the arrays. */
@@ -44,11 +44,14 @@ typedef struct nook_boxes {
 typedef struct nook_bvh {
     nook_view
         view; /* the mesh: G, V and their sizes are used, O and C by nook_intersections and nook_t_junctions only */
-    const nook_boxes *boxes; /* [NOOK_BVH_GROUPS(view.nt)] */
+    const nook_boxes *boxes; /* [NOOK_BVH_GROUPS(places)] */
     const nook_index *order; /* [view.nt], or null: as they stand */
+    uint32_t places;         /* triangles that it is laid out for, at least view.nt */
     uint32_t root, levels;   /* the last group; how many levels of groups there are */
     nook_point origin;       /* of the grid */
     nook_point cells;        /* cells a unit of length, along each axis */
+    float
+        stray; /* 0, or more cells than any, when a triangle has left the grid: its bounds say nothing then */
 } nook_bvh;
 
 typedef struct nook_bvh_state {
@@ -80,8 +83,15 @@ nook_status nook_bvh_begin(nook_bvh_state *state, nook_bvh *bvh, const nook_view
                            nook_index *order, nook_where *where);
 /* The same with the order that *bvh has: after vertices moved. boxes are those of *bvh. */
 nook_status nook_bvh_refit_begin(nook_bvh_state *state, nook_bvh *bvh, nook_boxes *boxes, nook_where *where);
+/* A tree that follows a mesh through edits (nook_edit.bvh): boxes[NOOK_BVH_GROUPS(mesh->max_nt)], without order. Then refit it: now,
+ * and whenever edits have made boxes too wide, or a triangle has left the box that the mesh had; rays and distances are slow from then on.
+ *   NOOK_NULL_ARGUMENT */
+nook_status nook_bvh_follow(nook_bvh *bvh, const nook_mesh *mesh, nook_boxes *boxes);
+/* Triangle t of such a tree gets these corners: all boxes that hold it are widened. Edits do so. Steps: 1 a level, at most 14. */
+void nook_bvh_widen(nook_bvh *bvh, nook_boxes *boxes, uint32_t t, const nook_point *const p[3]);
 nook_status nook_bvh_step(nook_bvh_state *state, uint32_t *units);
 nook_status nook_bvh_build(nook_bvh *bvh, const nook_view *view, nook_boxes *boxes, nook_index *order,
                            nook_where *where);
+nook_status nook_bvh_refit(nook_bvh *bvh, nook_boxes *boxes, nook_where *where);
 
 #endif

@@ -290,7 +290,7 @@ nook_status nook_closest_begin(nook_closest *q, const nook_bvh *bvh, nook_point 
 
 nook_status nook_closest_step(nook_closest *q, uint32_t *units) {
     nook_descent *d = &q->descent;
-    while (nook_descent_next(d, q->bvh->view.nt, nook_entry(q->reach, 3))) {
+    while (nook_descent_next(d, q->bvh->places, nook_entry(q->reach, 3))) {
         if (q->enough > 0 && q->distance_max <= q->enough) break;
         if (*units == 0) return conclude(q, NOOK_MORE);
         --*units;

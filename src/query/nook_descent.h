@@ -1,6 +1,6 @@
 /* nook_descent.h -- what the questions of this room share: the way down the tree and back, nearest first, and what a cell is.
  *
- * A level above the leaves has ((nt - 1) >> (2 level + 2)) + 1 groups, numbered from 0; level 1 stands first in boxes[],
+ * A level above the leaves has ((places - 1) >> (2 level + 2)) + 1 groups, numbered from 0; level 1 stands first in boxes[],
  * the root last. Child k of group i is 4 i + k, one level down; on level 0 that is a leaf, the triangles at places 4 i
  * to 4 i + 3. So the way back up needs no memory but which children are still to be looked at: an entry of 16 bits
  * each, that is 14 bits of a float, the least that the question can find there, and the child. */
@@ -20,8 +20,8 @@ typedef struct nook_descent {
     uint16_t entry[4 * NOOK_BVH_LEVELS + 2];
 } nook_descent;
 
-static inline uint32_t nook_groups_of_level(uint32_t nt, uint32_t level) {
-    return ((nt - 1u) >> (2u * level + 2u)) + 1u;
+static inline uint32_t nook_groups_of_level(uint32_t places, uint32_t level) {
+    return ((places - 1u) >> (2u * level + 2u)) + 1u;
 }
 
 /* A child worth looking at and the least that can be found there, which is not negative, rounded down. Entries compare as
@@ -41,19 +41,19 @@ static inline void nook_descent_begin(nook_descent *d, const nook_bvh *bvh) {
 }
 
 /* On to the next node whose entry is at most limit, unless this one has not been looked at; false if there is none. */
-static inline bool nook_descent_next(nook_descent *d, uint32_t nt, uint32_t limit) {
+static inline bool nook_descent_next(nook_descent *d, uint32_t places, uint32_t limit) {
     if (d->now != NOOK_UP) return true;
     while (d->entries != 0) {
         uint32_t entry = d->entry[--d->entries], node;
         if (entry == NOOK_UP) {
-            d->base += nook_groups_of_level(nt, d->level++);
+            d->base += nook_groups_of_level(places, d->level++);
             d->node >>= 2;
             continue;
         }
         node = 4u * d->node + (entry & 3u);
-        if (entry > limit || node << 2u * d->level >= nt) continue; /* the second: boxes of any bits */
+        if (entry > limit || node << 2u * d->level >= places) continue; /* the second: boxes of any bits */
         d->node = node;
-        d->base -= nook_groups_of_level(nt, --d->level);
+        d->base -= nook_groups_of_level(places, --d->level);
         d->now = (uint16_t)entry;
         return true;
     }
@@ -146,7 +146,7 @@ static inline uint32_t nook_cell(const nook_bvh *bvh, float x, uint32_t axis) {
  * a product and a difference with it. */
 static inline float nook_in_cells(const nook_bvh *bvh, float x, uint32_t axis, float *slack) {
     float cell = (x - nook_along(&bvh->origin, axis)) * nook_along(&bvh->cells, axis);
-    *slack = ((float)NOOK_LAST_CELL + (cell < 0 ? -cell : cell)) * 9.53674316e-7f /* 2^-20 */;
+    *slack = ((float)NOOK_LAST_CELL + (cell < 0 ? -cell : cell)) * 9.53674316e-7f /* 2^-20 */ + bvh->stray;
     return cell;
 }
 

@@ -120,7 +120,7 @@ nook_status nook_inside_begin(nook_inside *q, const nook_bvh *bvh, nook_point po
 
 nook_status nook_inside_step(nook_inside *q, uint32_t *units) {
     nook_descent *d = &q->descent;
-    while (nook_descent_next(d, q->bvh->view.nt, NOOK_UP)) {
+    while (nook_descent_next(d, q->bvh->places, NOOK_UP)) {
         if (*units == 0) return NOOK_MORE;
         --*units;
         if (d->level != 0) {

@@ -4,35 +4,6 @@
 #include "query/nook_apart.h"
 #include "query/nook_pair.h"
 
-/* The cells of a box. */
-static void set_cells(const nook_bvh *bvh, nook_point low, nook_point high, nook_bound from[3],
-                      nook_bound to[3]) {
-    uint32_t axis;
-    for (axis = 0; axis < 3u; axis++) {
-        from[axis] = (nook_bound)nook_cell(bvh, nook_along(&low, axis), axis);
-        to[axis] = (nook_bound)nook_cell(bvh, nook_along(&high, axis), axis);
-    }
-}
-
-/* Which children's boxes overlap one in cells. */
-static inline nook_flags overlap(const nook_boxes *g, uint32_t child, uint32_t axis, const nook_bound low[3],
-                                 const nook_bound high[3]) {
-    return (nook_load_cells(&g->low[axis][child]) <= high[axis]) &
-           (nook_load_cells(&g->high[axis][child]) >= low[axis]);
-}
-
-static inline void visit_group(nook_descent *d, const nook_bvh *bvh, const nook_bound low[3],
-                               const nook_bound high[3]) {
-    const nook_boxes *g = nook_descent_boxes(d, bvh);
-    uint32_t entry[4], i;
-    for (i = 0; i < 4u; i += NOOK_LANES) {
-        nook_flags some =
-            overlap(g, i, 0, low, high) & overlap(g, i, 1, low, high) & overlap(g, i, 2, low, high);
-        nook_set_entries(entry, i, some, nook_lanes_of(0));
-    }
-    nook_descent_push(d, entry);
-}
-
 /* ---- pairs ---------------------------------------------------------------------------------------- */
 
 nook_status nook_intersections_begin(nook_intersections *q, const nook_bvh *bvh) {
@@ -168,7 +139,7 @@ static bool comes_before(const nook_intersections *q) {
 static bool visit(nook_intersections *q) {
     nook_descent *d = &q->descent;
     if (!comes_before(q) && d->level != 0) {
-        visit_group(d, q->bvh, q->low, q->high);
+        nook_visit_overlap(d, q->bvh, q->low, q->high);
         return true;
     }
     if (!comes_before(q) && !find_pairs(q)) return false;
@@ -182,7 +153,7 @@ nook_status nook_intersections_step(nook_intersections *q, uint32_t *units) {
         nook_status status = next_pair(q);
         bool more;
         if (status != NOOK_OK) return status;
-        more = nook_descent_next(&q->descent, nt, NOOK_UP);
+        more = nook_descent_next(&q->descent, q->bvh->places, NOOK_UP);
         if (!more && q->leaf + 1u == (nt + 3u) / 4u) return NOOK_OK;
         if (*units == 0) return NOOK_MORE;
         --*units;
@@ -219,7 +190,7 @@ static bool begin_edge(nook_t_junctions *q) {
     low = nook_sub(nook_low(m->G[v], m->G[w]), more);
     high = nook_high(m->G[v], m->G[w]);
     high = nook_make(high.x + more.x, high.y + more.y, high.z + more.z);
-    set_cells(q->bvh, low, high, q->low, q->high);
+    nook_set_cells(q->bvh, low, high, q->low, q->high);
     q->from = v;
     q->to = w;
     nook_descent_begin(&q->descent, q->bvh);
@@ -265,7 +236,7 @@ nook_status nook_t_junctions_step(nook_t_junctions *q, uint32_t *units) {
     uint32_t nt = q->bvh->view.nt;
     for (;;) {
         nook_status status = NOOK_OK;
-        bool more = nook_descent_next(&q->descent, nt, NOOK_UP);
+        bool more = nook_descent_next(&q->descent, q->bvh->places, NOOK_UP);
         if (!more && q->corner + 1u >= 3u * nt) return NOOK_OK;
         if (*units == 0) return NOOK_MORE;
         --*units;
@@ -273,7 +244,7 @@ nook_status nook_t_junctions_step(nook_t_junctions *q, uint32_t *units) {
             q->corner++;
             if (!begin_edge(q)) status = NOOK_INDEX_OUT_OF_RANGE;
         } else if (q->descent.level != 0) {
-            visit_group(&q->descent, q->bvh, q->low, q->high);
+            nook_visit_overlap(&q->descent, q->bvh, q->low, q->high);
         } else {
             status = visit_corners(q);
         }

@@ -96,6 +96,36 @@ static inline bool nook_flag(nook_flags flags, uint32_t k) {
 static inline nook_flags nook_all_flags(void) { return -1; }
 #endif
 
+/* The cells of a box. */
+static inline void nook_set_cells(const nook_bvh *bvh, nook_point low, nook_point high, nook_bound from[3],
+                                  nook_bound to[3]) {
+    uint32_t axis;
+    for (axis = 0; axis < 3u; axis++) {
+        from[axis] = (nook_bound)nook_cell(bvh, nook_along(&low, axis), axis);
+        to[axis] = (nook_bound)nook_cell(bvh, nook_along(&high, axis), axis);
+    }
+}
+
+/* Which children's boxes overlap one in cells, along an axis. */
+static inline nook_flags nook_overlap_along(const nook_boxes *g, uint32_t child, uint32_t axis,
+                                            const nook_bound low[3], const nook_bound high[3]) {
+    return (nook_load_cells(&g->low[axis][child]) <= high[axis]) &
+           (nook_load_cells(&g->high[axis][child]) >= low[axis]);
+}
+
+/* On to those children of a group whose boxes overlap one in cells. */
+static inline void nook_visit_overlap(nook_descent *d, const nook_bvh *bvh, const nook_bound low[3],
+                                      const nook_bound high[3]) {
+    const nook_boxes *g = nook_descent_boxes(d, bvh);
+    uint32_t entry[4], i;
+    for (i = 0; i < 4u; i += NOOK_LANES) {
+        nook_flags some = nook_overlap_along(g, i, 0, low, high) & nook_overlap_along(g, i, 1, low, high);
+        some = some & nook_overlap_along(g, i, 2, low, high);
+        nook_set_entries(entry, i, some, nook_lanes_of(0));
+    }
+    nook_descent_push(d, entry);
+}
+
 /* From memory, as many as there are lanes. */
 static inline nook_lanes nook_lanes_at(const float *from) {
     nook_lanes a;

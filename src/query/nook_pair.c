@@ -186,18 +186,15 @@ static bool intersect(corners a, corners b, uint32_t shared) {
     }
 }
 
-/* The corners of t with those first that u has too, and those of u in the same order. */
-static uint32_t match(const nook_view *m, uint32_t t, uint32_t u, uint32_t a[3], uint32_t b[3]) {
-    uint32_t i, j, k, shared = 0;
-    for (i = 0; i < 3u; i++) {
-        a[i] = m->V[3u * t + i];
-        b[i] = m->V[3u * u + i];
-    }
+/* The corners of a with those first that b has too, and those of b in the same order. */
+static uint32_t match(const nook_point *a[3], const nook_point *b[3]) {
+    uint32_t i, j, shared = 0;
+    const nook_point *keep;
     for (i = 0; i < 3u; i++) {
         for (j = shared; j < 3u; j++) {
             if (a[i] != b[j]) continue;
-            k = a[i], a[i] = a[shared], a[shared] = k;
-            k = b[j], b[j] = b[shared], b[shared] = k;
+            keep = a[i], a[i] = a[shared], a[shared] = keep;
+            keep = b[j], b[j] = b[shared], b[shared] = keep;
             shared++;
             break;
         }
@@ -205,12 +202,16 @@ static uint32_t match(const nook_view *m, uint32_t t, uint32_t u, uint32_t a[3],
     return shared;
 }
 
+bool nook_corners_intersect(const nook_point *a[3], const nook_point *b[3]) {
+    return intersect(a, b, match(a, b)) && has_area(a) && has_area(b);
+}
+
 bool nook_triangles_intersect(const nook_view *m, uint32_t t, uint32_t u) {
-    uint32_t v[3], w[3], shared = match(m, t, u, v, w), i;
     const nook_point *a[3], *b[3];
+    uint32_t i;
     for (i = 0; i < 3u; i++) {
-        a[i] = &m->G[v[i]];
-        b[i] = &m->G[w[i]];
+        a[i] = &m->G[m->V[3u * t + i]];
+        b[i] = &m->G[m->V[3u * u + i]];
     }
-    return intersect(a, b, shared) && has_area(a) && has_area(b);
+    return nook_corners_intersect(a, b);
 }

@@ -15,5 +15,7 @@ bool nook_triangles_meet(const nook_point *const a[3], const nook_point *const b
  *   all three          always
  * Triangles without area intersect nothing. Vertices are told apart by number: weld first. V must be in range. */
 bool nook_triangles_intersect(const nook_view *view, uint32_t t, uint32_t u);
+/* The same of two triangles by their points: a vertex is shared where the addresses are the same. Both lists are reordered. */
+bool nook_corners_intersect(const nook_point *a[3], const nook_point *b[3]);
 
 #endif

@@ -350,7 +350,7 @@ static nook_status conclude(nook_ray *r, nook_status status) {
 
 nook_status nook_ray_step(nook_ray *r, uint32_t *units) {
     nook_descent *d = &r->descent;
-    while (nook_descent_next(d, r->bvh->view.nt, nook_entry(r->reach, 3))) {
+    while (nook_descent_next(d, r->bvh->places, nook_entry(r->reach, 3))) {
         if (*units == 0) return conclude(r, NOOK_MORE);
         --*units;
         if (d->level != 0) {

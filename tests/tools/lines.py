@@ -7,9 +7,11 @@ import pathlib, re, sys
 # naming the place of every defect, and telling the truth of meshes that are not manifold took twice that; the rooms
 # to come have that much less. In edit, colors and attributes that follow every edit took 250 of its lines. exact and ingest are rooms of their own so that each can be read in one sitting,
 # and so is shape: edit has the operators, a place at a time, shape what is made of them, a whole mesh at a time (the plan had both in edit).
+# Edits that ask a tree whether they would cut the mesh, each triangle that changes against all others as they will be, and a tree that
+# follows them, took 200 lines of edit.
 # query answers within budgets, exactly, also in planes and on edges, for triangles without area too, and four boxes or triangles
 # at a time where the core can: that is the half of its lines, and part 7 will need to find room or make it.
-CEILINGS = {'core': 540, 'exact': 430, 'ingest': 450, 'table': 1650, 'walk': 550, 'edit': 1450, 'shape': 1500, 'query': 2050,
+CEILINGS = {'core': 540, 'exact': 430, 'ingest': 450, 'table': 1650, 'walk': 550, 'edit': 1670, 'shape': 1500, 'query': 2120,
             'pack': 900, 'robot': 400}
 
 
