@@ -483,7 +483,7 @@ static nook_status edit_anyhow(uint32_t what, uint32_t c) {
     static uint8_t color[MOST];
     static const nook_edit careful = {
         .no_turn = true, .max_valence = 5, .color = color, .attributes = attributes, .width = 1};
-    static nook_boxes boxes[NOOK_BVH_GROUPS(MOST_T)];
+    static nook_boxes boxes[NOOK_BVH_GROUPS(MOST)];
     static nook_bvh tree;
     static const nook_edit watched = {.bvh = &tree, .boxes = boxes};
     const nook_edit *edit = c % 3 == 0 ? NULL : c % 3 == 1 ? &careful : &watched;
@@ -492,6 +492,7 @@ static nook_status edit_anyhow(uint32_t what, uint32_t c) {
     nook_split_fans fans;
     nook_reverse reverse;
     uint32_t units = 1000;
+    b.mesh.max_nt = MOST;
     (void)nook_bvh_follow(&tree, &b.mesh, boxes);
     (void)nook_bvh_refit(&tree, boxes, NULL); /* of any bits where V names no vertex */
     v[0] = c % b.mesh.nv, v[1] = d % b.mesh.nv, v[2] = (c + d) % b.mesh.nv;
