@@ -98,6 +98,7 @@ extern "C" {
 
 /* edit: change a linked mesh, a place at a time */
 #include "edit/nook_edit.h"  /* what edits respect and take along */
+#include "edit/nook_guard.h" /* a tree that refuses what would cut the mesh */
 #include "edit/nook_local.h" /* flip, splits, collapse, merge */
 #include "edit/nook_sew.h"   /* at the border: make, remove, stitch, cut */
 #include "edit/nook_fill.h"  /* fill a hole: fan, centroid, ears */
@@ -117,7 +118,7 @@ extern "C" {
  * attributes, colors          nook_edit.attributes, nook_edit.color
  * barycentric coordinates     nook_barycentric
  * border, border edge         nook_is_border; NOOK_BORDER_EDGE
- * bounding volume hierarchy   nook_bvh; that follows edits: nook_bvh_follow
+ * bounding volume hierarchy   nook_bvh; that follows edits: nook_guard.bvh
  * bow-tie                     NOOK_NONMANIFOLD_VERTEX
  * box, what is in one         nook_overlap
  * breadth-first, rings        nook_rings (distance across edges)
@@ -198,7 +199,7 @@ extern "C" {
  * reorder triangles           nook_reorder
  * reverse                     nook_reverse
  * s, swing                    nook_swing; nook_turn stops at borders
- * self-intersection           nook_intersections; that an edit would make: nook_edit.bvh
+ * self-intersection           nook_intersections; that an edit would make: nook_edit.guard
  * shell                       nook_shell
  * sibling                     nook_pair
  * signed distance             nook_signed_distance

@@ -1522,12 +1522,12 @@ static void a_client_is_told_whose_copy_the_vertex_of_a_split_fan_is(void) {
 /* ---- with a tree -------------------------------------------------------------------------------------------- */
 
 static nook_boxes tree_boxes[NOOK_BVH_GROUPS(ROOM_T)];
-static nook_bvh tree;
-static const nook_edit watched = {.bvh = &tree, .boxes = tree_boxes};
+static nook_guard guard;
+static const nook_edit watched = {.guard = &guard};
 
 static void plant(void) {
-    CHECK_EQUAL(nook_bvh_follow(&tree, &b.mesh, tree_boxes), NOOK_OK);
-    CHECK_EQUAL(nook_bvh_refit(&tree, tree_boxes, NULL), NOOK_OK);
+    CHECK_EQUAL(nook_guard_begin(&guard, &b.mesh, tree_boxes), NOOK_OK);
+    CHECK_EQUAL(nook_bvh_refit(&guard.bvh, tree_boxes, NULL), NOOK_OK);
 }
 
 static bool is_same_place(const nook_mesh *m, uint32_t t, const nook_point *G, const nook_index *V,
@@ -1602,7 +1602,7 @@ static void overlap_finds_all(nook_point low, nook_point high) {
     nook_overlap q;
     nook_status status;
     uint32_t t;
-    CHECK_EQUAL(nook_overlap_begin(&q, &tree, low, high), NOOK_OK);
+    CHECK_EQUAL(nook_overlap_begin(&q, &guard.bvh, low, high), NOOK_OK);
     do {
         uint32_t units = 1;
         status = nook_overlap_step(&q, &units);
@@ -1620,15 +1620,15 @@ static void tree_answers(dice *d) {
     nook_closest near, as_near;
     nook_view view = nook_view_of(&b.mesh);
     nook_point from = finished(d, throw_grid_point(d, 16, false)), to = b.mesh.G[throw_dice(d, b.mesh.nv)];
-    CHECK(tree.view.nt == b.mesh.nt && tree.view.nv == b.mesh.nv);
+    CHECK(guard.bvh.view.nt == b.mesh.nt && guard.bvh.view.nv == b.mesh.nv);
     CHECK_EQUAL(nook_bvh_build(&anew, &view, fresh.boxes, fresh.order, NULL), NOOK_OK);
     overlap_finds_all(nook_make(from.x - 2, from.y - 2, from.z - 3), nook_make(from.x, from.y, from.z));
     overlap_finds_all(to, to);
-    if (nook_ray_cast(&ray, &tree, from, nook_sub(to, from), NOOK_MAX_T, NOOK_NEAREST) == NOOK_OK) {
+    if (nook_ray_cast(&ray, &guard.bvh, from, nook_sub(to, from), NOOK_MAX_T, NOOK_NEAREST) == NOOK_OK) {
         CHECK_EQUAL(nook_ray_cast(&same, &anew, from, nook_sub(to, from), NOOK_MAX_T, NOOK_NEAREST), NOOK_OK);
         CHECK(ray.triangle == same.triangle && ray.t == same.t);
     }
-    CHECK_EQUAL(nook_closest_point(&near, &tree, from), NOOK_OK);
+    CHECK_EQUAL(nook_closest_point(&near, &guard.bvh, from), NOOK_OK);
     CHECK_EQUAL(nook_closest_point(&as_near, &anew, from), NOOK_OK);
     CHECK(near.distance == as_near.distance);
 }
@@ -1683,7 +1683,7 @@ static void a_tree_follows_from_nothing_and_back(void) {
     draw(xy, 6, one, 1);
     plant();
     CHECK_EQUAL(nook_remove_triangle(&b.mesh, 0, &watched), NOOK_OK);
-    CHECK_EQUAL(nook_overlap_begin(&q, &tree, b.mesh.G[0], b.mesh.G[0]), NOOK_EMPTY_MESH);
+    CHECK_EQUAL(nook_overlap_begin(&q, &guard.bvh, b.mesh.G[0], b.mesh.G[0]), NOOK_EMPTY_MESH);
     CHECK_EQUAL(nook_make_triangle(&b.mesh, same, &watched), NOOK_OK);
     place(3, 4, 4, 1);
     place(4, 1, 1, -1);
@@ -1692,16 +1692,16 @@ static void a_tree_follows_from_nothing_and_back(void) {
     CHECK_EQUAL(nook_make_triangle(&b.mesh, through, NULL), NOOK_OK);
     CHECK_EQUAL(nook_remove_triangle(&b.mesh, 1, &watched), NOOK_OK);
     CHECK_EQUAL(nook_make_triangle(&b.mesh, beside, &watched), NOOK_OK);
-    CHECK_EQUAL(nook_overlap_begin(NULL, &tree, b.mesh.G[0], b.mesh.G[0]), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_overlap_begin(NULL, &guard.bvh, b.mesh.G[0], b.mesh.G[0]), NOOK_NULL_ARGUMENT);
     CHECK_EQUAL(nook_overlap_begin(&q, NULL, b.mesh.G[0], b.mesh.G[0]), NOOK_NULL_ARGUMENT);
-    CHECK_EQUAL(nook_overlap_begin(&q, &tree, b.mesh.G[0], b.mesh.G[0]), NOOK_OK);
+    CHECK_EQUAL(nook_overlap_begin(&q, &guard.bvh, b.mesh.G[0], b.mesh.G[0]), NOOK_OK);
     b.mesh.V[0] = b.mesh.V[3] = NOOK_STORED_NONE;
     CHECK_EQUAL(nook_overlap_step(&q, &units), NOOK_INDEX_OUT_OF_RANGE);
-    CHECK_EQUAL(nook_bvh_follow(NULL, &b.mesh, tree_boxes), NOOK_NULL_ARGUMENT);
-    CHECK_EQUAL(nook_bvh_follow(&tree, NULL, tree_boxes), NOOK_NULL_ARGUMENT);
-    CHECK_EQUAL(nook_bvh_follow(&tree, &b.mesh, NULL), NOOK_NULL_ARGUMENT);
-    tree.view = none;
-    CHECK_EQUAL(nook_bvh_refit(&tree, tree_boxes, NULL), NOOK_EMPTY_MESH);
+    CHECK_EQUAL(nook_guard_begin(NULL, &b.mesh, tree_boxes), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_guard_begin(&guard, NULL, tree_boxes), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_guard_begin(&guard, &b.mesh, NULL), NOOK_NULL_ARGUMENT);
+    guard.bvh.view = none;
+    CHECK_EQUAL(nook_bvh_refit(&guard.bvh, tree_boxes, NULL), NOOK_EMPTY_MESH);
 }
 
 static const test tests[] = {

@@ -484,8 +484,8 @@ static nook_status edit_anyhow(uint32_t what, uint32_t c) {
     static const nook_edit careful = {
         .no_turn = true, .max_valence = 5, .color = color, .attributes = attributes, .width = 1};
     static nook_boxes boxes[NOOK_BVH_GROUPS(MOST)];
-    static nook_bvh tree;
-    static const nook_edit watched = {.bvh = &tree, .boxes = boxes};
+    static nook_guard guard;
+    static const nook_edit watched = {.guard = &guard};
     const nook_edit *edit = c % 3 == 0 ? NULL : c % 3 == 1 ? &careful : &watched;
     nook_point at = nook_make(0, 0, 0);
     uint32_t d = (c + 3) % (3 * b.mesh.nt), v[3];
@@ -493,8 +493,8 @@ static nook_status edit_anyhow(uint32_t what, uint32_t c) {
     nook_reverse reverse;
     uint32_t units = 1000;
     b.mesh.max_nt = MOST;
-    (void)nook_bvh_follow(&tree, &b.mesh, boxes);
-    (void)nook_bvh_refit(&tree, boxes, NULL); /* of any bits where V names no vertex */
+    (void)nook_guard_begin(&guard, &b.mesh, boxes);
+    (void)nook_bvh_refit(&guard.bvh, boxes, NULL); /* of any bits where V names no vertex */
     v[0] = c % b.mesh.nv, v[1] = d % b.mesh.nv, v[2] = (c + d) % b.mesh.nv;
     switch (what) {
     case 0: return nook_flip(&b.mesh, c, edit);

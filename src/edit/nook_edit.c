@@ -2,8 +2,7 @@
 #include "edit/nook_edit.h"
 
 #include "edit/nook_inner.h"
-#include "query/nook_overlap.h"
-#include "query/nook_pair.h"
+#include "query/nook_descent.h"
 
 /* ---- looking -------------------------------------------------------------------------------------- */
 
@@ -121,135 +120,23 @@ void nook_change_fan(nook_change *g, uint32_t i, uint32_t c, const nook_point *t
     (void)nook_star_begin(&g->fan[i], &g->view, c, false);
 }
 
-static bool is_gone(const nook_change *g, uint32_t t) {
-    return t == g->gone[0] || t == g->gone[1] || t == g->gone[2];
-}
-
-static bool has_vertex(const nook_change *g, uint32_t t, uint32_t v) {
-    const nook_index *V = &g->view.V[3u * t];
-    return V[0] == v || V[1] == v || V[2] == v;
-}
-
-/* Whether triangle t goes, or changes. */
-static bool is_old(const nook_change *g, uint32_t t) {
-    uint32_t i, x;
-    for (i = 0; i < 2u; i++) {
-        nook_star star = g->fan[i];
-        if (!has_vertex(g, t, g->v[i])) continue;
-        while ((x = nook_star_next(&star)) != NOOK_NONE) {
-            if (nook_triangle(x) == t) return true;
-        }
-    }
-    return is_gone(g, t);
-}
-
-/* The triangles to be, one after the other: those made, and those of the two fans. */
-typedef struct triangles {
-    const nook_point *p[3];
-    bool moves; /* this one is not where it was */
-    uint32_t made, i;
-    nook_star star;
-} triangles;
-
-static void begin_triangles(triangles *all, const nook_change *g) {
-    all->made = all->i = 0;
-    all->star = g->fan[0];
-}
-
-static bool is_elsewhere(const nook_point *a, const nook_point *b) {
-    return a->x != b->x || a->y != b->y || a->z != b->z;
-}
-
-/* Triangle t when the edit is done; false where V names no vertex. */
-static bool look_ahead(triangles *all, const nook_change *g, uint32_t t) {
-    uint32_t k;
-    all->moves = false;
-    for (k = 0; k < 3u; k++) {
-        uint32_t v = g->view.V[3u * t + k];
-        if (v >= g->view.nv) return false;
-        all->p[k] = v == g->v[0] ? g->to[0] : v == g->v[1] ? g->to[1] : &g->view.G[v];
-        if (is_elsewhere(all->p[k], &g->view.G[v])) all->moves = true;
-    }
-    return true;
-}
-
-/* NOOK_TRIANGLE, NOOK_OK after the last, or NOOK_INDEX_OUT_OF_RANGE. */
-static nook_status next_triangle(triangles *all, const nook_change *g) {
-    if (all->made < g->count) {
-        memcpy(all->p, g->made[all->made++], sizeof all->p);
-        all->moves = true;
-        return NOOK_TRIANGLE;
-    }
-    for (; all->i < 2u; all->star = g->fan[1], all->i++) {
-        uint32_t x;
-        while ((x = nook_star_next(&all->star)) != NOOK_NONE) {
-            uint32_t t = nook_triangle(x);
-            if (is_gone(g, t) || (all->i == 1u && has_vertex(g, t, g->v[0]))) continue;
-            return look_ahead(all, g, t) ? NOOK_TRIANGLE : NOOK_INDEX_OUT_OF_RANGE;
-        }
-    }
-    return NOOK_OK;
-}
-
-/* Whether two triangles intersect; both keep their order. */
-NOOK_APART static bool cuts(const nook_point *const p[3], const nook_point *const q[3]) {
-    const nook_point *a[3], *b[3];
-    memcpy(a, p, sizeof a);
-    memcpy(b, q, sizeof b);
-    return nook_corners_intersect(a, b);
-}
-
-/* A triangle to be, against those of the tree that stay. */
-NOOK_APART static nook_status stays_clear(const nook_change *g, const nook_point *const p[3],
-                                          const nook_edit *edit) {
-    nook_overlap q;
-    nook_status status = nook_overlap_begin(&q, edit->bvh, nook_low(nook_low(*p[0], *p[1]), *p[2]),
-                                            nook_high(nook_high(*p[0], *p[1]), *p[2]));
-    while (status == NOOK_OK) {
-        uint32_t units = NOOK_NONE;
-        const nook_point *other[3];
-        status = nook_overlap_step(&q, &units);
-        if (status != NOOK_TRIANGLE) return status;
-        status = NOOK_OK;
-        if (is_old(g, q.t)) continue;
-        (void)nook_points_of(edit->bvh, q.t, other);
-        if (cuts(p, other)) status = NOOK_SELF_INTERSECTION;
-    }
-    return status == NOOK_EMPTY_MESH ? NOOK_OK : status;
-}
-
-nook_status nook_change_status(const nook_change *g, const nook_edit *edit) {
-    triangles one, other;
-    nook_status status;
-    begin_triangles(&one, g);
-    while ((status = next_triangle(&one, g)) == NOOK_TRIANGLE) {
-        if (one.moves) status = stays_clear(g, one.p, edit);
-        if (status != NOOK_OK && status != NOOK_TRIANGLE) return status;
-        other = one;
-        while (next_triangle(&other, g) == NOOK_TRIANGLE) {
-            bool asked = one.moves || other.moves;
-            if (asked && cuts(one.p, other.p)) return NOOK_SELF_INTERSECTION;
-        }
-    }
-    return status;
-}
-
 /* ---- changing -------------------------------------------------------------------------------------- */
 
 void nook_follow(const nook_mesh *m, const nook_edit *edit) {
-    if (nook_has_tree(edit)) edit->bvh->view = nook_view_of(m);
+    if (nook_is_guarded(edit)) edit->guard->bvh.view = nook_view_of(m);
 }
 
 void nook_follow_triangle(const nook_mesh *m, uint32_t t, const nook_edit *edit) {
     const nook_point *p[3];
     nook_follow(m, edit);
-    if (nook_has_tree(edit) && nook_points_of(edit->bvh, t, p)) nook_bvh_widen(edit->bvh, edit->boxes, t, p);
+    if (nook_is_guarded(edit) && nook_points_of(&edit->guard->bvh, t, p))
+        edit->guard->widen(edit->guard, t, p);
 }
 
 void nook_follow_fan(const nook_mesh *m, uint32_t c, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     nook_star star;
-    if (!nook_has_tree(edit) || nook_star_begin(&star, &view, c, false) != NOOK_OK) return;
+    if (!nook_is_guarded(edit) || nook_star_begin(&star, &view, c, false) != NOOK_OK) return;
     while ((c = nook_star_next(&star)) != NOOK_NONE) nook_follow_triangle(m, nook_triangle(c), edit);
 }
 

@@ -7,8 +7,9 @@
 #define NOOK_EDIT_H
 
 #include "exact/nook_exact.h"
-#include "query/nook_bvh.h"
 #include "walk/nook_star.h"
+
+typedef struct nook_guard nook_guard;
 
 typedef struct nook_edit {
     /* Conditions. */
@@ -16,10 +17,8 @@ typedef struct nook_edit {
     uint32_t
         max_valence; /* no vertex may come to have more triangles: NOOK_TOO_MANY_TRIANGLES. 0: no limit. It also
                              bounds the steps, as no fan beyond it is walked round */
-    /* A tree of the mesh made by nook_bvh_follow(), which then knows of every edit; and its boxes. No triangle that is made or
-     * moves may intersect another (nook_triangles_intersect): NOOK_SELF_INTERSECTION. Null: not asked. */
-    nook_bvh *bvh;
-    nook_boxes *boxes;
+    nook_guard *
+        guard; /* no triangle that is made or moves may intersect another: NOOK_SELF_INTERSECTION. nook_guard.h */
     /* Data beside the mesh, each array null or kept in step with it. */
     uint8_t *
         color; /* [max_nt], 0 is invisible: a new triangle takes that of the one it is cut from or joined to */
@@ -36,9 +35,6 @@ typedef struct nook_edit {
  * they are cut from, the two of a flip from the vector area of their quadrilateral, those that open a vertex from both
  * triangles at their edge; one that had no area must have some. What takes the place of a removed vertex, and a triangle
  * made, must have area; one filled faces as the loop does. What does not move is not asked.
- * With a tree, triangles that are made or move are held against all others, as these are or will be: one look down the
- * tree each, and one pair with each other triangle that changes; about 2,500 instructions each on M4F, more the more edits have widened the
- * boxes. Triangles that stay where they are may go on intersecting; so nook_cut, nook_split_fans and nook_reverse never ask.
  * Attributes of a place off an edge are those of the nearest on it; off the triangles of a vertex that is split, of the
  * nearest triangle's plane. A vertex over the limit can be made smaller by nook_collapse() or nook_split_vertex() only if
  * what comes of it is within the limit. */

@@ -7,7 +7,6 @@
 #include "edit/nook_fill.h"
 
 #include "edit/nook_inner.h"
-#include "query/nook_pair.h"
 #include "walk/nook_border.h"
 
 enum { MEASURE, COLLECT, LOOK, INSIDE, ACROSS, CUT, SHIFT, RADIATE, TALLY, HOLD, JOIN, DONE };
@@ -231,7 +230,7 @@ static nook_status tally(nook_fill *f) {
     uint32_t v;
     if (f->edit == NULL || f->edit->max_valence == 0 || f->at == 3u * f->made) {
         f->at = f->other = 0;
-        f->phase = nook_has_tree(f->edit) ? HOLD : JOIN;
+        f->phase = nook_is_guarded(f->edit) ? HOLD : JOIN;
         return NOOK_OK;
     }
     v = m->V[3u * m->nt + f->at];
@@ -263,9 +262,9 @@ NOOK_APART static nook_status hold(nook_fill *f) {
     if (f->other == f->at) {
         nook_change_begin(&change, f->mesh, NOOK_NONE, NOOK_NONE);
         nook_change_make(&change, p[0], p[1], p[2]);
-        status = nook_change_status(&change, f->edit);
-        nook_bvh_widen(f->edit->bvh, f->edit->boxes, f->mesh->nt + f->at, p);
-    } else if (nook_corners_intersect(p, q)) {
+        status = f->edit->guard->look(f->edit->guard, &change);
+        f->edit->guard->widen(f->edit->guard, f->mesh->nt + f->at, p);
+    } else if (f->edit->guard->intersect(p, q)) {
         status = NOOK_SELF_INTERSECTION;
     }
     if (++f->other == f->made) f->other = ++f->at;

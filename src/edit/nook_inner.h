@@ -3,6 +3,7 @@
 #define NOOK_INNER_H
 
 #include "edit/nook_edit.h"
+#include "edit/nook_guard.h"
 
 /* ---- looking -------------------------------------------------------------------------------------- */
 
@@ -65,15 +66,13 @@ typedef struct nook_change {
     const nook_point *to[2];
 } nook_change;
 
-static inline bool nook_has_tree(const nook_edit *edit) { return edit != NULL && edit->bvh != NULL; }
+static inline bool nook_is_guarded(const nook_edit *edit) { return edit != NULL && edit->guard != NULL; }
 
 /* Nothing but that two triangles go, where these are not NOOK_NONE. */
 void nook_change_begin(nook_change *change, const nook_mesh *m, uint32_t gone, uint32_t gone_too);
 void nook_change_make(nook_change *change, const nook_point *a, const nook_point *b, const nook_point *c);
 /* Vertex v(c) moves with all its triangles. */
 void nook_change_fan(nook_change *change, uint32_t i, uint32_t c, const nook_point *to);
-/* With a tree; NOOK_OK, NOOK_SELF_INTERSECTION, or NOOK_INDEX_OUT_OF_RANGE. */
-nook_status nook_change_status(const nook_change *change, const nook_edit *edit);
 
 /* ---- changing -------------------------------------------------------------------------------------- */
 

@@ -27,11 +27,11 @@ NOOK_APART static bool flip_turns(const nook_mesh *m, uint32_t c, uint32_t o, co
 
 NOOK_APART static nook_status flip_cuts(const nook_mesh *m, uint32_t c, uint32_t o, const nook_edit *edit) {
     nook_change change;
-    if (!nook_has_tree(edit)) return NOOK_OK;
+    if (!nook_is_guarded(edit)) return NOOK_OK;
     nook_change_begin(&change, m, nook_triangle(c), nook_triangle(o));
     nook_change_make(&change, point_of(m, c), point_of(m, nook_next(c)), point_of(m, o));
     nook_change_make(&change, point_of(m, c), point_of(m, o), point_of(m, nook_prev(c)));
-    return nook_change_status(&change, edit);
+    return edit->guard->look(edit->guard, &change);
 }
 
 nook_status nook_flip(nook_mesh *m, uint32_t c, const nook_edit *edit) {
@@ -75,11 +75,11 @@ NOOK_APART static nook_status pieces_cut(const nook_mesh *m, const uint32_t *cor
                                          const nook_point *at, const nook_edit *edit) {
     nook_change change;
     uint32_t i;
-    if (!nook_has_tree(edit)) return NOOK_OK;
+    if (!nook_is_guarded(edit)) return NOOK_OK;
     nook_change_begin(&change, m, nook_triangle(corner[0]), nook_triangle(corner[n - 1u]));
     for (i = 0; i < n; i++)
         nook_change_make(&change, at, point_of(m, nook_next(corner[i])), point_of(m, nook_prev(corner[i])));
-    return nook_change_status(&change, edit);
+    return edit->guard->look(edit->guard, &change);
 }
 
 NOOK_APART static nook_status split_triangle_status(const nook_mesh *m, uint32_t t, nook_point at,
@@ -283,7 +283,7 @@ NOOK_APART static nook_status sector_cuts(const nook_mesh *m, uint32_t c, uint32
                                           const nook_edit *edit, const sector *s) {
     nook_change change;
     nook_star star;
-    if (!nook_has_tree(edit)) return NOOK_OK;
+    if (!nook_is_guarded(edit)) return NOOK_OK;
     nook_change_begin(&change, m, NOOK_NONE, NOOK_NONE);
     nook_change_fan(&change, 0, s->first, at);
     star.view = &change.view;
@@ -293,7 +293,7 @@ NOOK_APART static nook_status sector_cuts(const nook_mesh *m, uint32_t c, uint32
     change.fan[0] = star;
     if (c != NOOK_NONE) make_wedge(&change, m, c, nook_next(c), nook_prev(c), at);
     if (d != NOOK_NONE) make_wedge(&change, m, d, nook_prev(d), nook_next(d), at);
-    return nook_change_status(&change, edit);
+    return edit->guard->look(edit->guard, &change);
 }
 
 NOOK_APART static nook_status split_vertex_status(const nook_mesh *m, uint32_t c, uint32_t d, nook_point at,
@@ -467,11 +467,11 @@ NOOK_APART static bool collapse_turns(const nook_mesh *m, uint32_t c, nook_point
 NOOK_APART static nook_status collapse_cuts(const nook_mesh *m, uint32_t c, const nook_point *at,
                                             const nook_edit *edit) {
     nook_change change;
-    if (!nook_has_tree(edit)) return NOOK_OK;
+    if (!nook_is_guarded(edit)) return NOOK_OK;
     nook_change_begin(&change, m, nook_triangle(c), nook_triangle(m->O[c]));
     nook_change_fan(&change, 0, nook_next(c), at);
     nook_change_fan(&change, 1, nook_prev(c), at);
-    return nook_change_status(&change, edit);
+    return edit->guard->look(edit->guard, &change);
 }
 
 /* Attributes at the point to be, by triangle at the edge, are left at the corners c and o, which go. Where B or C had
@@ -563,11 +563,11 @@ NOOK_APART static nook_status remove_vertex_status(const nook_mesh *m, uint32_t 
     for (i = 0; i < 4u; i++) none[i] = a;
     if (nook_is_turned(edit, a, point_of(m, nook_next(c)), point_of(m, nook_prev(c)), none))
         return NOOK_TURNED_TRIANGLE;
-    if (!nook_has_tree(edit)) return NOOK_OK;
+    if (!nook_is_guarded(edit)) return NOOK_OK;
     nook_change_begin(&change, m, nook_triangle(c), nook_triangle(q));
     change.gone[2] = nook_triangle(r);
     nook_change_make(&change, a, point_of(m, nook_next(c)), point_of(m, nook_prev(c)));
-    return nook_change_status(&change, edit);
+    return edit->guard->look(edit->guard, &change);
 }
 
 nook_status nook_remove_vertex(nook_mesh *m, uint32_t v, const nook_edit *edit) {

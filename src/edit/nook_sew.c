@@ -56,10 +56,10 @@ NOOK_APART static nook_status make_status(const nook_mesh *m, const uint32_t v[3
 
 NOOK_APART static nook_status triangle_cuts(const nook_mesh *m, const uint32_t v[3], const nook_edit *edit) {
     nook_change change;
-    if (!nook_has_tree(edit)) return NOOK_OK;
+    if (!nook_is_guarded(edit)) return NOOK_OK;
     nook_change_begin(&change, m, NOOK_NONE, NOOK_NONE);
     nook_change_make(&change, &m->G[v[0]], &m->G[v[1]], &m->G[v[2]]);
-    return nook_change_status(&change, edit);
+    return edit->guard->look(edit->guard, &change);
 }
 
 nook_status nook_make_triangle(nook_mesh *m, const uint32_t v[3], const nook_edit *edit) {
@@ -152,11 +152,11 @@ NOOK_APART static nook_status stitch_conditions(const nook_mesh *m, const seam *
 
 NOOK_APART static nook_status stitch_cuts(const nook_mesh *m, const seam *s, const nook_edit *edit) {
     nook_change change;
-    if (!nook_has_tree(edit)) return NOOK_OK;
+    if (!nook_is_guarded(edit)) return NOOK_OK;
     nook_change_begin(&change, m, NOOK_NONE, NOOK_NONE);
     if (m->V[s->b] != m->V[s->b2]) nook_change_fan(&change, 0, s->b2, &m->G[m->V[s->b]]);
     if (m->V[s->e] != m->V[s->e2]) nook_change_fan(&change, 1, s->e2, &m->G[m->V[s->e]]);
-    return nook_change_status(&change, edit);
+    return edit->guard->look(edit->guard, &change);
 }
 
 NOOK_APART static nook_status stitch_status(const nook_mesh *m, uint32_t c, uint32_t d, const seam *s) {

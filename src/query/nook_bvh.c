@@ -404,16 +404,7 @@ nook_status nook_bvh_refit(nook_bvh *bvh, nook_boxes *boxes, nook_where *where) 
     return finish(&state, nook_bvh_refit_begin(&state, bvh, boxes, where));
 }
 
-/* ---- edits ---------------------------------------------------------------------------------------- */
-
-nook_status nook_bvh_follow(nook_bvh *bvh, const nook_mesh *mesh, nook_boxes *boxes) {
-    if (bvh == NULL || mesh == NULL || boxes == NULL) return NOOK_NULL_ARGUMENT;
-    memset(bvh, 0, sizeof *bvh);
-    bvh->view = nook_view_of(mesh);
-    bvh->boxes = boxes;
-    bvh->places = mesh->max_nt;
-    return NOOK_OK;
-}
+/* ---- widening -------------------------------------------------------------------------------------- */
 
 static bool is_on_grid(const nook_bvh *bvh, float x, uint32_t axis) {
     float cell = (x - nook_along(&bvh->origin, axis)) * nook_along(&bvh->cells, axis);

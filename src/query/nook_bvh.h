@@ -83,11 +83,8 @@ nook_status nook_bvh_begin(nook_bvh_state *state, nook_bvh *bvh, const nook_view
                            nook_index *order, nook_where *where);
 /* The same with the order that *bvh has: after vertices moved. boxes are those of *bvh. */
 nook_status nook_bvh_refit_begin(nook_bvh_state *state, nook_bvh *bvh, nook_boxes *boxes, nook_where *where);
-/* A tree that follows a mesh through edits (nook_edit.bvh): boxes[NOOK_BVH_GROUPS(mesh->max_nt)], without order. Then refit it: now,
- * and whenever edits have made boxes too wide, or a triangle has left the box that the mesh had; rays and distances are slow from then on.
- *   NOOK_NULL_ARGUMENT */
-nook_status nook_bvh_follow(nook_bvh *bvh, const nook_mesh *mesh, nook_boxes *boxes);
-/* Triangle t of such a tree gets these corners: all boxes that hold it are widened. Edits do so. Steps: 1 a level, at most 14. */
+/* Triangle t of a tree without order gets these corners: all boxes that hold it are widened (nook_guard). Steps: 1 a level, at
+ * most 14. */
 void nook_bvh_widen(nook_bvh *bvh, nook_boxes *boxes, uint32_t t, const nook_point *const p[3]);
 nook_status nook_bvh_step(nook_bvh_state *state, uint32_t *units);
 nook_status nook_bvh_build(nook_bvh *bvh, const nook_view *view, nook_boxes *boxes, nook_index *order,

@@ -381,6 +381,26 @@ static void queries(void) {
     print_cost("self_intersections", "_most_a_unit", self.most);
 }
 
+/* An edge of the link collapses to its middle, at valence 6, if no triangle turns over and none cuts another. */
+static void edit_with_tree(void) {
+    nook_guard guard;
+    nook_edit edit = {0};
+    nook_view view;
+    nook_report report;
+    nook_point p, q;
+    uint32_t c = 3u * (LINK_T / 2u);
+    robot_link();
+    nook_link(&mesh, NULL, NULL, NULL, &report, NULL);
+    view = nook_view_of(&mesh);
+    nook_guard_begin(&guard, &mesh, tree.boxes);
+    nook_bvh_refit(&guard.bvh, tree.boxes, NULL);
+    edit.no_turn = true;
+    edit.guard = &guard;
+    p = nook_point_at(&view, nook_next(c)), q = nook_point_at(&view, nook_prev(c));
+    start(), c = nook_collapse(&mesh, c, nook_make((p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2), &edit);
+    print_cost("collapse", "_without_cutting", spent() + c * 100000000u);
+}
+
 int main(void) {
     start();
     overhead = (nook_port_ticks() - before) & 0xFFFFFFu;
@@ -397,6 +417,7 @@ int main(void) {
     }
     sewing();
     queries();
+    edit_with_tree();
 #endif
     return 0;
 }
