@@ -41,11 +41,11 @@ static inline void nook_set_normal(nook_several *a) {
     a->size = nook_largest(e) * nook_largest(f);
 }
 
-/* The axis along which a triangle, the same in all lanes, is seen largest. */
-static inline uint32_t nook_broadest(const nook_several *a) {
-    nook_lanes x = nook_magnitude(a->normal.x), y = nook_magnitude(a->normal.y),
-               z = nook_magnitude(a->normal.z);
-    return x[0] > y[0] ? (x[0] > z[0] ? 0 : 2u) : (y[0] > z[0] ? 1u : 2u);
+/* The axis along which triangle k of some is seen largest. */
+static inline uint32_t nook_broadest(const nook_several *a, uint32_t k) {
+    float x = nook_magnitude(a->normal.x)[k], y = nook_magnitude(a->normal.y)[k],
+          z = nook_magnitude(a->normal.z)[k];
+    return x > y ? (x > z ? 0 : 2u) : (y > z ? 1u : 2u);
 }
 
 /* Whether corner j of some triangles is corner i of others. */
