@@ -63,30 +63,25 @@ static void widen(nook_bvh_state *s, nook_point low, nook_point high) {
 /* Whether a coordinate is finite and in range, by its bits. */
 static inline bool is_good(float x) { return (nook_float_bits(x) & 0x7FFFFFFFu) <= 0x4E800000u; }
 
-/* Whether triangle t can be used, and place t of the order. */
-static nook_status look_at(nook_bvh_state *s, uint32_t t) {
-    const nook_view *m = &s->bvh->view;
-    uint32_t i;
-    nook_point low, high;
-    for (i = 0; i < 3u; i++) {
-        uint32_t v = m->V[3u * t + i];
-        const nook_point *p = &m->G[v];
-        if (v >= m->nv) return refuse(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_CORNER, 3u * t + i);
-        if (is_good(p->x) && is_good(p->y) && is_good(p->z)) continue;
-        return refuse(s, nook_point_status(*p), NOOK_AT_VERTEX, v);
-    }
-    if (s->order != NULL) s->order[t] = nook_store(t);
-    if (nook_triangle_at(s->bvh, t) >= m->nt) return refuse(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_TRIANGLE, t);
-    nook_box(m, t, &low, &high);
-    widen(s, low, high);
-    return NOOK_OK;
-}
-
+/* Whether the triangles can be used, their places in the order, and their box. */
 static nook_status look(nook_bvh_state *s, uint32_t end) {
+    const nook_view *m = &s->bvh->view;
+    nook_point low = s->low, high = s->high;
     for (; s->at < end; s->at++) {
-        nook_status status = look_at(s, s->at);
-        if (status != NOOK_OK) return status;
+        uint32_t t = s->at, c;
+        for (c = 3u * t; c < 3u * t + 3u; c++) {
+            uint32_t v = m->V[c];
+            const nook_point *p = &m->G[v];
+            if (v >= m->nv) return refuse(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_CORNER, c);
+            low = nook_low(low, *p), high = nook_high(high, *p);
+            if (is_good(p->x) && is_good(p->y) && is_good(p->z)) continue;
+            return refuse(s, nook_point_status(*p), NOOK_AT_VERTEX, v);
+        }
+        if (s->order != NULL) s->order[t] = nook_store(t);
+        if (nook_triangle_at(s->bvh, t) >= m->nt)
+            return refuse(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_TRIANGLE, t);
     }
+    s->low = low, s->high = high;
     return NOOK_OK;
 }
 
