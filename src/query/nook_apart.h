@@ -80,7 +80,7 @@ typedef struct nook_seen {
 } nook_seen;
 
 static inline nook_seen nook_see(const nook_several *a, uint32_t axis) {
-    nook_lanes left, right, zero = nook_lanes_of(0), one = nook_lanes_of(1.0f);
+    nook_lanes left, right, one = nook_lanes_of(1.0f);
     nook_flags sure;
     nook_seen s;
     uint32_t i;
@@ -91,7 +91,7 @@ static inline nook_seen nook_see(const nook_several *a, uint32_t axis) {
     left = (s.u[1] - s.u[0]) * (s.v[2] - s.v[0]), right = (s.v[1] - s.v[0]) * (s.u[2] - s.u[0]);
     sure = nook_magnitude(left - right) >
            (nook_magnitude(left) + nook_magnitude(right)) * nook_lanes_of(0x1p-20f);
-    s.turn = nook_if(sure & (left > right), one) - nook_if(sure & (left < right), one) + zero;
+    s.turn = nook_if(sure & (left > right), one) - nook_if(sure & (left < right), one);
     return s;
 }
 

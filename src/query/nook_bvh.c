@@ -5,33 +5,21 @@
 
 /* While the order is made the boxes hold a key a triangle: the cell of its centre in a cube around what is being cut, a
  * few bits along each axis. */
-enum {
-    KEY_BYTES = NOOK_BOUND_BITS / 4,
-    KEY_BITS = NOOK_BOUND_BITS == 8 ? 5 : 10,
-    KEY_MOST = (1 << KEY_BITS) - 1
-};
+enum { KEY_BITS = NOOK_BOUND_BITS == 8 ? 5 : 10, KEY_MOST = (1 << KEY_BITS) - 1 };
 /* What spans fewer cells gets keys of its own. */
 enum { NARROW = 6 };
 
 enum { LOOK, CUT, MEASURE, ASSIGN, EXTENT, PART, LEAVES, GROUPS, BUILT };
 
-static inline uint32_t key_at(const uint8_t *keys, uint32_t i) {
-    const uint8_t *at = keys + (size_t)KEY_BYTES * i;
-    uint32_t key = at[0] | (uint32_t)at[1] << 8;
-#if NOOK_BOUND_BITS == 16
-    key |= (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
-#endif
-    return key;
+static inline uint32_t key_at(const nook_bound *keys, uint32_t i) {
+    const nook_bound *at = keys + (size_t)2 * i;
+    return at[0] | (uint32_t)at[1] << NOOK_BOUND_BITS;
 }
 
-static inline void set_key(uint8_t *keys, uint32_t i, uint32_t key) {
-    uint8_t *at = keys + (size_t)KEY_BYTES * i;
-    at[0] = (uint8_t)key;
-    at[1] = (uint8_t)(key >> 8);
-#if NOOK_BOUND_BITS == 16
-    at[2] = (uint8_t)(key >> 16);
-    at[3] = (uint8_t)(key >> 24);
-#endif
+static inline void set_key(nook_bound *keys, uint32_t i, uint32_t key) {
+    nook_bound *at = keys + (size_t)2 * i;
+    at[0] = (nook_bound)key;
+    at[1] = (nook_bound)(key >> NOOK_BOUND_BITS);
 }
 
 static void begin_phase(nook_bvh_state *s, uint32_t phase, uint32_t at, uint32_t end) {
@@ -160,7 +148,7 @@ static float key_cells(const nook_bvh_state *s) { return (float)KEY_MOST / (long
 static uint32_t key_part(float x, float low, float cells) { return (uint32_t)((x - low) * cells + 0.5f); }
 
 static void assign(nook_bvh_state *s, uint32_t end) {
-    uint8_t *keys = (uint8_t *)s->boxes;
+    nook_bound *keys = (nook_bound *)s->boxes;
     nook_point low = s->low;
     float cells = key_cells(s);
     uint32_t i;
@@ -179,7 +167,7 @@ static inline void widen_span(uint32_t part, uint32_t *least, uint32_t *most) {
 }
 
 static void extent(nook_bvh_state *s, uint32_t end) {
-    const uint8_t *keys = (const uint8_t *)s->boxes;
+    const nook_bound *keys = (const nook_bound *)s->boxes;
     const uint32_t mask = KEY_MOST << KEY_BITS;
     uint32_t step = stride(s), i, x = s->least[0], y = s->least[1] << KEY_BITS, z = s->least[2],
              u = s->most[0], v = s->most[1] << KEY_BITS, w = s->most[2];
@@ -196,7 +184,7 @@ static void extent(nook_bvh_state *s, uint32_t end) {
 
 /* The triangles whose keys are at most pivot come first. */
 static void part(nook_bvh_state *s, uint32_t end) {
-    uint8_t *keys = (uint8_t *)s->boxes;
+    nook_bound *keys = (nook_bound *)s->boxes;
     nook_index *order = s->order;
     uint32_t i, left = s->left, shift = s->axis * KEY_BITS, mask = (uint32_t)KEY_MOST << shift,
                 pivot = s->pivot << shift;

@@ -157,16 +157,6 @@ typedef struct leaf {
     nook_several at[4 / NOOK_LANES];
 } leaf;
 
-static bool gather_leaf(const nook_bvh *bvh, uint32_t number, leaf *to) {
-    uint32_t i;
-    if (to->leaf == number) return true;
-    to->leaf = number;
-    for (i = 0; i < 4u / NOOK_LANES; i++) {
-        if (!gather(bvh, 4u * number + i * NOOK_LANES, &to->at[i])) return false;
-    }
-    return true;
-}
-
 /* Bits 4 i + k: place i of the leaf and place k of the node; each pair once, and none beyond the end. */
 static uint32_t pairs_of(const nook_intersections *q) {
     uint32_t left = q->bvh->view.nt - 4u * q->descent.node,
@@ -177,7 +167,10 @@ static uint32_t pairs_of(const nook_intersections *q) {
 /* Those that may intersect. */
 static bool find_pairs(nook_intersections *q, leaf *own) {
     uint32_t i, j, pairs = pairs_of(q), some = (1u << NOOK_LANES) - 1u;
-    if (!gather_leaf(q->bvh, q->leaf, own)) return false;
+    for (i = 0; own->leaf != q->leaf && i < 4u; i += NOOK_LANES) {
+        if (!gather(q->bvh, 4u * q->leaf + i, &own->at[i / NOOK_LANES])) return false;
+    }
+    own->leaf = q->leaf;
     for (j = 0; j < 4u; j += NOOK_LANES) {
         nook_several b;
         if (!gather(q->bvh, 4u * q->descent.node + j, &b)) return false;
