@@ -5,36 +5,28 @@
 
 /* While the order is made the boxes hold a key a triangle: the cell of its centre in a cube around what is being cut, a
  * few bits along each axis. */
-enum {
-    KEY_BYTES = NOOK_BOUND_BITS / 4,
-    KEY_BITS = NOOK_BOUND_BITS == 8 ? 5 : 10,
-    KEY_MOST = (1 << KEY_BITS) - 1
-};
+enum { KEY_BITS = NOOK_BOUND_BITS == 8 ? 5 : 10, KEY_MOST = (1 << KEY_BITS) - 1 };
 /* What spans fewer cells gets keys of its own. */
 enum { NARROW = 6 };
 
 enum { LOOK, CUT, MEASURE, ASSIGN, EXTENT, PART, LEAVES, GROUPS, BUILT };
 
-static inline uint32_t key_at(const uint8_t *keys, uint32_t i) {
-    const uint8_t *at = keys + (size_t)KEY_BYTES * i;
-    uint32_t key = at[0] | (uint32_t)at[1] << 8;
-#if NOOK_BOUND_BITS == 16
-    key |= (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
-#endif
-    return key;
+static inline uint32_t key_at(const nook_bound *keys, uint32_t i) {
+    const nook_bound *at = keys + (size_t)2 * i;
+    return at[0] | (uint32_t)at[1] << NOOK_BOUND_BITS;
 }
 
-static inline void set_key(uint8_t *keys, uint32_t i, uint32_t key) {
-    uint8_t *at = keys + (size_t)KEY_BYTES * i;
-    at[0] = (uint8_t)key;
-    at[1] = (uint8_t)(key >> 8);
-#if NOOK_BOUND_BITS == 16
-    at[2] = (uint8_t)(key >> 16);
-    at[3] = (uint8_t)(key >> 24);
-#endif
+static inline void set_key(nook_bound *keys, uint32_t i, uint32_t key) {
+    nook_bound *at = keys + (size_t)2 * i;
+    at[0] = (nook_bound)key;
+    at[1] = (nook_bound)(key >> NOOK_BOUND_BITS);
 }
 
-static inline uint32_t part_of(uint32_t key, uint32_t axis) { return key >> axis * KEY_BITS & KEY_MOST; }
+static void begin_phase(nook_bvh_state *s, uint32_t phase, uint32_t at, uint32_t end) {
+    s->phase = end == 1u && phase == GROUPS ? BUILT : phase;
+    s->at = at;
+    s->end = end;
+}
 
 /* ---- looking -------------------------------------------------------------------------------------- */
 
@@ -59,30 +51,25 @@ static void widen(nook_bvh_state *s, nook_point low, nook_point high) {
 /* Whether a coordinate is finite and in range, by its bits. */
 static inline bool is_good(float x) { return (nook_float_bits(x) & 0x7FFFFFFFu) <= 0x4E800000u; }
 
-/* Whether triangle t can be used, and place t of the order. */
-static nook_status look_at(nook_bvh_state *s, uint32_t t) {
-    const nook_view *m = &s->bvh->view;
-    uint32_t i;
-    nook_point low, high;
-    for (i = 0; i < 3u; i++) {
-        uint32_t v = m->V[3u * t + i];
-        const nook_point *p = &m->G[v];
-        if (v >= m->nv) return refuse(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_CORNER, 3u * t + i);
-        if (is_good(p->x) && is_good(p->y) && is_good(p->z)) continue;
-        return refuse(s, nook_point_status(*p), NOOK_AT_VERTEX, v);
-    }
-    if (s->order != NULL) s->order[t] = nook_store(t);
-    if (nook_triangle_at(s->bvh, t) >= m->nt) return refuse(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_TRIANGLE, t);
-    nook_box(m, t, &low, &high);
-    widen(s, low, high);
-    return NOOK_OK;
-}
-
+/* Whether the triangles can be used, their places in the order, and their box. */
 static nook_status look(nook_bvh_state *s, uint32_t end) {
+    const nook_view *m = &s->bvh->view;
+    nook_point low = s->low, high = s->high;
     for (; s->at < end; s->at++) {
-        nook_status status = look_at(s, s->at);
-        if (status != NOOK_OK) return status;
+        uint32_t t = s->at, c;
+        for (c = 3u * t; c < 3u * t + 3u; c++) {
+            uint32_t v = m->V[c];
+            const nook_point *p = &m->G[v];
+            if (v >= m->nv) return refuse(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_CORNER, c);
+            low = nook_low(low, *p), high = nook_high(high, *p);
+            if (is_good(p->x) && is_good(p->y) && is_good(p->z)) continue;
+            return refuse(s, nook_point_status(*p), NOOK_AT_VERTEX, v);
+        }
+        if (s->order != NULL) s->order[t] = nook_store(t);
+        if (nook_triangle_at(s->bvh, t) >= m->nt)
+            return refuse(s, NOOK_INDEX_OUT_OF_RANGE, NOOK_AT_TRIANGLE, t);
     }
+    s->low = low, s->high = high;
     return NOOK_OK;
 }
 
@@ -102,6 +89,8 @@ static void set_grid(nook_bvh_state *s) {
     float least = longest(s) * 0x1p-20f + 0x1p-80f;
     s->bvh->origin = s->low;
     s->bvh->cells = nook_make(cells_along(d.x, least), cells_along(d.y, least), cells_along(d.z, least));
+    s->low = nook_scaled(s->low, 2.0f); /* of twice the centres, to begin with */
+    s->high = nook_scaled(s->high, 2.0f);
 }
 
 /* ---- order ---------------------------------------------------------------------------------------- */
@@ -114,6 +103,9 @@ static void go_after(nook_bvh_state *s) {
     while ((s->start >> s->height & 1u) == 0) s->height++;
 }
 
+/* Every 2^so many-th key tells the extent of what is to be cut: at most 64 keys do. */
+static uint32_t stride(const nook_bvh_state *s) { return s->height > 4u ? s->height - 4u : 0; }
+
 /* The leaves from start, 2^height of them or as many as there are, are to be cut in halves, down to one leaf. */
 static void begin_cut(nook_bvh_state *s) {
     uint32_t nt = s->bvh->view.nt, end = (s->start + ((uint32_t)1 << s->height)) * 4u;
@@ -121,17 +113,18 @@ static void begin_cut(nook_bvh_state *s) {
     s->to = end < nt ? end : nt;
     s->middle = (s->start + ((uint32_t)1 << s->height >> 1)) * 4u;
     if (s->from >= nt) {
-        s->phase = LEAVES;
-        s->at = 0;
-        s->end = nt;
+        nothing(s);
+        begin_phase(s, LEAVES, 0, nt);
     } else if (s->height == 0) {
         go_after(s);
     } else if (s->middle >= s->to) {
         s->height--;
+    } else if (s->fresh) { /* the very first */
+        begin_phase(s, ASSIGN, s->from, s->to);
+        s->fresh = false;
     } else {
-        s->phase = s->fresh ? MEASURE : EXTENT; /* fresh: the very first */
-        s->end = s->to;
         nothing(s);
+        begin_phase(s, EXTENT, 0, ((s->to - s->from - 1u) >> stride(s)) + 1u);
     }
 }
 
@@ -149,15 +142,23 @@ static void measure(nook_bvh_state *s, uint32_t end) {
     }
 }
 
+/* Cells a unit of length in the cube. */
+static float key_cells(const nook_bvh_state *s) { return (float)KEY_MOST / (longest(s) + 0x1p-80f); }
+
+static uint32_t key_part(float x, float low, float cells) { return (uint32_t)((x - low) * cells + 0.5f); }
+
 static void assign(nook_bvh_state *s, uint32_t end) {
-    uint8_t *keys = (uint8_t *)s->boxes;
+    nook_bound *keys = (nook_bound *)s->boxes;
     nook_point low = s->low;
-    float cells = (float)KEY_MOST / (longest(s) + 0x1p-80f);
-    for (; s->at < end; s->at++) {
-        nook_point d = nook_sub(centre_of(s, s->order[s->at]), low);
-        uint32_t x = (uint32_t)(d.x * cells + 0.5f), y = (uint32_t)(d.y * cells + 0.5f);
-        set_key(keys, s->at, x | y << KEY_BITS | (uint32_t)(d.z * cells + 0.5f) << 2 * KEY_BITS);
+    float cells = key_cells(s);
+    uint32_t i;
+    for (i = s->at; i < end; i++) {
+        nook_point p = centre_of(s, s->order[i]);
+        set_key(keys, i,
+                key_part(p.x, low.x, cells) | key_part(p.y, low.y, cells) << KEY_BITS |
+                    key_part(p.z, low.z, cells) << 2 * KEY_BITS);
     }
+    s->at = end;
 }
 
 static inline void widen_span(uint32_t part, uint32_t *least, uint32_t *most) {
@@ -166,64 +167,87 @@ static inline void widen_span(uint32_t part, uint32_t *least, uint32_t *most) {
 }
 
 static void extent(nook_bvh_state *s, uint32_t end) {
-    const uint8_t *keys = (const uint8_t *)s->boxes;
-    uint32_t i, x = s->least[0], y = s->least[1], z = s->least[2], u = s->most[0], v = s->most[1],
-                w = s->most[2];
+    const nook_bound *keys = (const nook_bound *)s->boxes;
+    const uint32_t mask = KEY_MOST << KEY_BITS;
+    uint32_t step = stride(s), i, x = s->least[0], y = s->least[1] << KEY_BITS, z = s->least[2],
+             u = s->most[0], v = s->most[1] << KEY_BITS, w = s->most[2];
     for (i = s->at; i < end; i++) {
-        uint32_t key = key_at(keys, i);
-        widen_span(part_of(key, 0), &x, &u);
-        widen_span(part_of(key, 1), &y, &v);
-        widen_span(part_of(key, 2), &z, &w);
+        uint32_t key = key_at(keys, s->from + (i << step));
+        widen_span(key & KEY_MOST, &x, &u);
+        widen_span(key & mask, &y, &v);
+        widen_span(key >> 2 * KEY_BITS, &z, &w);
     }
-    s->least[0] = x, s->least[1] = y, s->least[2] = z;
-    s->most[0] = u, s->most[1] = v, s->most[2] = w;
+    s->least[0] = x, s->least[1] = y >> KEY_BITS, s->least[2] = z;
+    s->most[0] = u, s->most[1] = v >> KEY_BITS, s->most[2] = w;
     s->at = end;
 }
 
 /* The triangles whose keys are at most pivot come first. */
 static void part(nook_bvh_state *s, uint32_t end) {
-    uint8_t *keys = (uint8_t *)s->boxes;
-    uint32_t i, left = s->left, axis = s->axis, pivot = s->pivot;
+    nook_bound *keys = (nook_bound *)s->boxes;
+    nook_index *order = s->order;
+    uint32_t i, left = s->left, shift = s->axis * KEY_BITS, mask = (uint32_t)KEY_MOST << shift,
+                pivot = s->pivot << shift;
     for (i = s->at; i < end; i++) {
         uint32_t key = key_at(keys, i);
-        nook_index t = s->order[i];
+        nook_index t = order[i];
         set_key(keys, i, key_at(keys, left));
-        s->order[i] = s->order[left];
+        order[i] = order[left];
         set_key(keys, left, key);
-        s->order[left] = t;
-        left += part_of(key, axis) <= pivot;
+        order[left] = t;
+        left += (key & mask) <= pivot;
     }
     s->at = end;
     s->left = left;
 }
 
+/* At the middle of the cells that are left, or at a quarter of them if the place of the cut is near that end. */
 static void begin_part(nook_bvh_state *s) {
-    s->pivot = (s->least[s->axis] + s->most[s->axis]) >> 1;
-    s->at = s->left = s->first;
-    s->end = s->last;
-    s->phase = PART;
+    uint32_t least = s->least[s->axis], most = s->most[s->axis], some = (s->last - s->first) >> 2;
+    s->pivot = (least + most) >> 1;
+    if (s->middle - s->first < some) s->pivot = least + ((most - least) >> 2);
+    if (s->last - s->middle < some) s->pivot = most - ((most - least) >> 2) - 1u;
+    s->left = s->first;
+    begin_phase(s, PART, s->first, s->last);
 }
 
-/* Along the axis of the largest extent, unless that has too few cells to tell much. */
-static void after_extent(nook_bvh_state *s) {
+/* What is to be cut is to be parted along the axis of the largest extent, which is returned. */
+static uint32_t choose_axis(nook_bvh_state *s) {
     uint32_t axis, most = 0;
+    s->axis = 0;
     for (axis = 0; axis < 3u; axis++) {
         uint32_t span = s->most[axis] - s->least[axis];
-        if (axis == 0 || span > most) most = span, s->axis = axis;
+        if (span > most) most = span, s->axis = axis;
     }
-    if (most < NARROW && !s->fresh) {
-        nothing(s);
-        s->phase = MEASURE;
-        s->at = s->from;
-    } else if (most == 0) { /* all in one place */
+    s->first = s->from;
+    s->last = s->to;
+    return most;
+}
+
+/* Keys in a cube are known to reach from one end to the other. */
+static void after_assign(nook_bvh_state *s) {
+    float cells = key_cells(s);
+    uint32_t axis;
+    for (axis = 0; axis < 3u; axis++) {
+        s->least[axis] = 0;
+        s->most[axis] = key_part(nook_along(&s->high, axis), nook_along(&s->low, axis), cells);
+    }
+    if (choose_axis(s) != 0) {
+        begin_part(s);
+    } else { /* all in one place */
         go_after(s);
         s->phase = CUT;
+    }
+}
+
+/* Too few cells do not tell much. */
+static void after_extent(nook_bvh_state *s) {
+    if (choose_axis(s) < NARROW) {
+        nothing(s);
+        begin_phase(s, MEASURE, s->from, s->to);
     } else {
-        s->first = s->from;
-        s->last = s->to;
         begin_part(s);
     }
-    s->fresh = false;
 }
 
 /* Keep to the side that holds the place of the cut, until it lies between the two or among equals. */
@@ -250,24 +274,32 @@ static void clear_group(nook_boxes *group) {
     memset(group->high, 0, sizeof group->high);
 }
 
-static void widen_bound(nook_boxes *group, uint32_t child, uint32_t axis, uint32_t low, uint32_t high) {
-    if (low < group->low[axis][child]) group->low[axis][child] = (nook_bound)low;
-    if (high > group->high[axis][child]) group->high[axis][child] = (nook_bound)high;
+/* The first child of a group comes with empty ones beside it. */
+static void set_child(nook_boxes *group, uint32_t child, uint32_t axis, uint32_t low, uint32_t high) {
+    group->low[axis][child] = (nook_bound)low;
+    group->high[axis][child] = (nook_bound)high;
+}
+
+static void end_leaf(nook_bvh_state *s, uint32_t leaf) {
+    nook_boxes *group = &s->boxes[leaf >> 2];
+    uint32_t axis;
+    if ((leaf & 3u) == 0) clear_group(group);
+    for (axis = 0; axis < 3u; axis++) {
+        set_child(group, leaf & 3u, axis, nook_cell(s->bvh, nook_along(&s->low, axis), axis),
+                  nook_cell(s->bvh, nook_along(&s->high, axis), axis));
+    }
+    nothing(s);
 }
 
 static void leaves(nook_bvh_state *s, uint32_t end) {
     const nook_bvh *bvh = s->bvh;
     for (; s->at < end; s->at++) {
-        nook_boxes *group = &s->boxes[s->at >> 4];
         nook_point low, high;
-        uint32_t axis;
-        if ((s->at & 15u) == 0) clear_group(group);
-        if (s->at >= bvh->view.nt) continue; /* room for more */
-        nook_box(&bvh->view, nook_triangle_at(bvh, s->at), &low, &high);
-        for (axis = 0; axis < 3u; axis++) {
-            widen_bound(group, s->at >> 2 & 3u, axis, nook_cell(bvh, nook_along(&low, axis), axis),
-                        nook_cell(bvh, nook_along(&high, axis), axis));
+        if (s->at < bvh->view.nt) { /* else there is room for more */
+            nook_box(&bvh->view, nook_triangle_at(bvh, s->at), &low, &high);
+            widen(s, low, high);
         }
+        if ((s->at & 3u) == 3u || s->at + 1u == bvh->places) end_leaf(s, s->at >> 2);
     }
 }
 
@@ -279,8 +311,12 @@ static void groups(nook_bvh_state *s, uint32_t end) {
         uint32_t axis, i;
         if ((s->at & 3u) == 0) clear_group(group);
         for (axis = 0; axis < 3u; axis++) {
-            for (i = 0; i < 4u; i++)
-                widen_bound(group, s->at & 3u, axis, from->low[axis][i], from->high[axis][i]);
+            uint32_t low = from->low[axis][0], high = from->high[axis][0];
+            for (i = 1; i < 4u; i++) {
+                low = from->low[axis][i] < low ? from->low[axis][i] : low;
+                high = from->high[axis][i] > high ? from->high[axis][i] : high;
+            }
+            set_child(group, s->at & 3u, axis, low, high);
         }
     }
 }
@@ -323,26 +359,17 @@ nook_status nook_bvh_refit_begin(nook_bvh_state *s, nook_bvh *bvh, nook_boxes *b
     return begin(s, bvh, boxes, NULL, where);
 }
 
-static void begin_phase(nook_bvh_state *s, uint32_t phase, uint32_t at, uint32_t end) {
-    s->phase = end == 1u && phase == GROUPS ? BUILT : phase;
-    s->at = at;
-    s->end = end;
-}
-
 /* What comes when a phase has gone through all of its elements. */
 static void after(nook_bvh_state *s) {
-    uint32_t nt = s->bvh->view.nt, places = s->bvh->places;
+    uint32_t places = s->bvh->places;
     switch (s->phase) {
     case LOOK:
         set_grid(s);
-        begin_phase(s, s->order != NULL ? CUT : LEAVES, 0, s->order != NULL ? nt : places);
+        if (s->order == NULL) nothing(s);
+        begin_phase(s, s->order != NULL ? CUT : LEAVES, 0, places);
         break;
     case MEASURE: begin_phase(s, ASSIGN, s->from, s->to); break;
-    case ASSIGN:
-        nothing(s);
-        begin_phase(s, EXTENT, s->from, s->to);
-        s->fresh = true;
-        break;
+    case ASSIGN: after_assign(s); break;
     case EXTENT: after_extent(s); break;
     case PART: after_part(s); break;
     case LEAVES: begin_phase(s, GROUPS, 0, (places + 15u) / 16u); break;
@@ -423,7 +450,11 @@ void nook_bvh_widen(nook_bvh *bvh, nook_boxes *boxes, uint32_t t, const nook_poi
     }
     for (level = 1; level <= bvh->levels; level++) {
         t >>= 2;
-        for (axis = 0; axis < 3u; axis++) widen_bound(&boxes[t >> 2], t & 3u, axis, from[axis], to[axis]);
+        for (axis = 0; axis < 3u; axis++) {
+            nook_bound *least = &boxes[t >> 2].low[axis][t & 3u], *most = &boxes[t >> 2].high[axis][t & 3u];
+            *least = from[axis] < *least ? (nook_bound)from[axis] : *least;
+            *most = to[axis] > *most ? (nook_bound)to[axis] : *most;
+        }
         boxes += nook_groups_of_level(bvh->places, level);
     }
 }

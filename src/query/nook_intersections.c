@@ -28,86 +28,111 @@ static void begin_leaf(nook_intersections *q) {
     nook_descent_begin(&q->descent, q->bvh);
 }
 
-/* The triangle at a place, or the last one, in all lanes. */
-static bool spread(const nook_bvh *bvh, uint32_t place, nook_several *to) {
-    uint32_t last = bvh->view.nt - 1u, t = nook_triangle_at(bvh, place < last ? place : last), i;
-    const nook_point *p[3];
-    if (!nook_points_of(bvh, t, p)) return false;
-    for (i = 0; i < 3u; i++) {
-        to->v[i] = nook_all_flags() & (int32_t)bvh->view.V[3u * t + i];
-        to->p[i] = nook_vectors_of(*p[i]);
-    }
-    return true;
-}
-
-/* Some with their vertices. */
+/* Some triangles from a place on, beyond the end the last one again; false where order or V name nothing that there is. */
 static bool gather(const nook_bvh *bvh, uint32_t place, nook_several *to) {
-    int32_t v[NOOK_LANES];
-    nook_some x;
-    uint32_t i, k;
-    if (!nook_gather(bvh, place, &x)) return false;
-    for (i = 0; i < 3u; i++) {
-        for (k = 0; k < NOOK_LANES; k++) v[k] = (int32_t)bvh->view.V[3u * x.t[k] + i];
-        memcpy(&to->v[i], v, sizeof v);
-        to->p[i] = x.p[i];
-    }
-    return true;
-}
-
-#if NOOK_LANES > 1
-/* The axis along which a triangle, the same in all lanes, is seen largest. */
-static uint32_t broadest(const nook_several *a) {
-    nook_vectors n =
-        nook_vectors_cross(nook_vectors_sub(a->p[1], a->p[0]), nook_vectors_sub(a->p[2], a->p[0]));
-    float x = nook_abs(n.x[0]), y = nook_abs(n.y[0]), z = nook_abs(n.z[0]);
-    return x > y ? (x > z ? 0 : 2u) : (y > z ? 1u : 2u);
-}
-#endif
-
-/* Which pairs of a triangle, the same in all lanes, and others may intersect. One by one, nook_pair.h is as quick. */
-static nook_flags may_meet(const nook_several *a, const nook_several *b) {
-    nook_vectors low = nook_lowest(a->p), high = nook_highest(a->p), from = nook_lowest(b->p),
-                 to = nook_highest(b->p);
-    nook_flags some = (from.x <= high.x) & (from.y <= high.y) & (from.z <= high.z) & (to.x >= low.x) &
-                      (to.y >= low.y) & (to.z >= low.z);
-#if NOOK_LANES > 1
-    uint32_t axis;
-    nook_seen x, y;
-    if (!nook_any_flag(some)) return some;
-    some = some & nook_not(nook_is_on_one_side(a, b) | nook_is_on_one_side(b, a));
-    if (!nook_any_flag(some)) return some;
-    axis = broadest(a);
-    x = nook_see(a, axis), y = nook_see(b, axis);
-    some = some & nook_not(nook_is_beside(a, &x, b, &y) | nook_is_beside(b, &y, a, &x));
-#endif
-    return some;
-}
-
-/* Bits 4 i + j + k of pairs: place i of the leaf may meet places j + k of the node, k a lane. */
-static bool find_pairs_of(const nook_intersections *q, uint32_t i, const nook_several *b, uint32_t j,
-                          uint32_t *pairs) {
-    uint32_t k, place = 4u * q->leaf + i, other = 4u * q->descent.node + j, nt = q->bvh->view.nt;
-    nook_several a;
-    nook_flags some;
-    if (!spread(q->bvh, place, &a)) return false;
-    some = may_meet(&a, b);
+    const nook_point *p[NOOK_LANES][3];
+    const nook_index *v[NOOK_LANES];
+    uint32_t last = bvh->view.nt - 1u, i, k;
     for (k = 0; k < NOOK_LANES; k++) {
-        if (nook_flag(some, k) && place < other + k && other + k < nt)
-            *pairs |= (uint32_t)1 << (4u * i + j + k);
+        uint32_t t = nook_triangle_at(bvh, place + k < last ? place + k : last);
+        if (!nook_points_of(bvh, t, p[k])) return false;
+        v[k] = &bvh->view.V[3u * t];
     }
+    for (i = 0; i < 3u; i++) {
+#if NOOK_LANES > 1
+        const nook_flags name = {(int32_t)v[0][i], (int32_t)v[1][i], (int32_t)v[2][i], (int32_t)v[3][i]};
+        const nook_lanes x = {p[0][i]->x, p[1][i]->x, p[2][i]->x, p[3][i]->x},
+                         y = {p[0][i]->y, p[1][i]->y, p[2][i]->y, p[3][i]->y},
+                         z = {p[0][i]->z, p[1][i]->z, p[2][i]->z, p[3][i]->z};
+        to->v[i] = name;
+        to->p[i].x = x, to->p[i].y = y, to->p[i].z = z;
+#else
+        to->v[i] = (int32_t)v[0][i];
+        to->p[i] = nook_vectors_of(*p[0][i]);
+#endif
+    }
+    to->low = nook_lowest(to->p);
+    to->high = nook_highest(to->p);
+#if NOOK_LANES > 1
+    nook_set_normal(to);
+#endif
     return true;
 }
 
-NOOK_APART static bool find_pairs(nook_intersections *q) {
-    uint32_t i, j, pairs = 0;
+#if NOOK_LANES > 1
+static uint32_t not_beside(const nook_several *a, const nook_several *b, nook_lanes reach, uint32_t axis,
+                           uint32_t some) {
+    nook_seen x = nook_see(a, axis), y = nook_see(b, axis);
+    some &= ~nook_bits_of(nook_is_beside(a, &x, b, &y, reach));
+    return some == 0 ? 0 : some & ~nook_bits_of(nook_is_beside(b, &y, a, &x, reach));
+}
+
+/* Which of some pairs of triangle i of a and others floats cannot tell apart: by their planes; seen along the axis along
+ * which one is largest, and the first of the others that is left. */
+static uint32_t still_open(const nook_several *a, uint32_t i, const nook_several *b, nook_lanes reach,
+                           uint32_t some) {
+    nook_several one;
+    uint32_t axis, k = 0;
+    nook_spread_plane(a, i, &one);
+    some &= ~nook_bits_of(nook_is_on_one_side(&one, b, reach));
+    if (some == 0) return 0;
+    nook_spread_corners(a, i, &one);
+    some &= ~nook_bits_of(nook_is_on_one_side(b, &one, reach));
+    if (some == 0) return 0;
+    axis = nook_broadest(&one, 0);
+    some = not_beside(&one, b, reach, axis, some);
+    if (some == 0) return 0;
+    while ((some >> k & 1u) == 0) k++;
+    k = nook_broadest(b, k);
+    return k == axis ? some : not_beside(&one, b, reach, k, some);
+}
+
+/* Which of some pairs of triangle i of a and others may intersect. */
+static uint32_t may_meet(const nook_several *a, uint32_t i, const nook_several *b, uint32_t some) {
+    nook_vectors low = nook_spread(&a->low, i), high = nook_spread(&a->high, i), most;
+    some &= nook_bits_of((b->low.x <= high.x) & (b->low.y <= high.y) & (b->low.z <= high.z) &
+                         (b->high.x >= low.x) & (b->high.y >= low.y) & (b->high.z >= low.z));
+    if (some == 0) return 0;
+    most = nook_vectors_sub(nook_vectors_larger(high, b->high), nook_vectors_smaller(low, b->low));
+    return still_open(a, i, b, nook_larger(nook_larger(most.x, most.y), most.z), some);
+}
+#else
+/* One by one, nook_pair.h is as quick. */
+static uint32_t may_meet(const nook_several *a, uint32_t i, const nook_several *b, uint32_t some) {
+    (void)i;
+    if (some == 0 || b->low.x > a->high.x || b->low.y > a->high.y || b->low.z > a->high.z) return 0;
+    return b->high.x >= a->low.x && b->high.y >= a->low.y && b->high.z >= a->low.z;
+}
+#endif
+
+/* The leaf that is held against the tree, gathered once for many others. */
+typedef struct leaf {
+    uint32_t leaf;
+    nook_several at[4 / NOOK_LANES];
+} leaf;
+
+/* Bits 4 i + k: place i of the leaf and place k of the node; each pair once, and none beyond the end. */
+static uint32_t pairs_of(const nook_intersections *q) {
+    uint32_t left = q->bvh->view.nt - 4u * q->descent.node,
+             pairs = left < 4u ? 0x1111u * ((1u << left) - 1u) : 0xFFFFu;
+    return q->leaf == q->descent.node ? pairs & 0x08CEu : pairs;
+}
+
+/* Those that may intersect. */
+static bool find_pairs(nook_intersections *q, leaf *own) {
+    uint32_t i, j, pairs = pairs_of(q), some = (1u << NOOK_LANES) - 1u;
+    for (i = 0; own->leaf != q->leaf && i < 4u; i += NOOK_LANES) {
+        if (!gather(q->bvh, 4u * q->leaf + i, &own->at[i / NOOK_LANES])) return false;
+    }
+    own->leaf = q->leaf;
     for (j = 0; j < 4u; j += NOOK_LANES) {
         nook_several b;
         if (!gather(q->bvh, 4u * q->descent.node + j, &b)) return false;
         for (i = 0; i < 4u; i++) {
-            if (!find_pairs_of(q, i, &b, j, &pairs)) return false;
+            uint32_t at = 4u * i + j;
+            q->pairs |= may_meet(&own->at[i / NOOK_LANES], i % NOOK_LANES, &b, pairs >> at & some) << at;
         }
     }
-    q->pairs = pairs;
     return true;
 }
 
@@ -130,38 +155,42 @@ NOOK_APART static nook_status next_pair(nook_intersections *q) {
     return NOOK_OK;
 }
 
-/* A leaf before this one has seen this one already, and so have all below a group that ends before. */
-static bool comes_before(const nook_intersections *q) {
-    return (q->descent.node + 1u) << 2u * q->descent.level <= q->leaf;
-}
-
-/* Look at the node; false where the tables are spoiled. */
-static bool visit(nook_intersections *q) {
+/* Look at the node; false where the tables are spoiled. A leaf before this one has seen this one already. */
+static bool visit(nook_intersections *q, leaf *own) {
     nook_descent *d = &q->descent;
-    if (!comes_before(q) && d->level != 0) {
-        nook_visit_overlap(d, q->bvh, q->low, q->high);
-        return true;
+    if (d->level == 0) {
+        nook_descent_leave(d);
+        return find_pairs(q, own);
     }
-    if (!comes_before(q) && !find_pairs(q)) return false;
-    nook_descent_leave(d);
+    nook_visit_overlap(d, q->bvh, q->low, q->high, q->leaf >> 2u * (d->level - 1u));
     return true;
 }
 
-nook_status nook_intersections_step(nook_intersections *q, uint32_t *units) {
+/* On to two leaves with pairs that may intersect: NOOK_TRIANGLE, or what step returns. */
+NOOK_APART static nook_status search(nook_intersections *q, uint32_t *units) {
     uint32_t nt = q->bvh->view.nt;
-    for (;;) {
-        nook_status status = next_pair(q);
-        bool more;
-        if (status != NOOK_OK) return status;
-        more = nook_descent_next(&q->descent, q->bvh->places, NOOK_UP);
+    leaf own;
+    own.leaf = NOOK_NONE;
+    while (q->pairs == 0) {
+        bool more = nook_descent_next(&q->descent, q->bvh->places, NOOK_UP);
         if (!more && q->leaf + 1u == (nt + 3u) / 4u) return NOOK_OK;
         if (*units == 0) return NOOK_MORE;
         --*units;
         if (!more) {
             begin_leaf(q);
-        } else if (!visit(q)) {
+        } else if (!visit(q, &own)) {
             return NOOK_INDEX_OUT_OF_RANGE;
         }
+    }
+    return NOOK_TRIANGLE;
+}
+
+nook_status nook_intersections_step(nook_intersections *q, uint32_t *units) {
+    for (;;) {
+        nook_status status = next_pair(q);
+        if (status != NOOK_OK) return status;
+        status = search(q, units);
+        if (status != NOOK_TRIANGLE) return status;
     }
 }
 
@@ -244,7 +273,7 @@ nook_status nook_t_junctions_step(nook_t_junctions *q, uint32_t *units) {
             q->corner++;
             if (!begin_edge(q)) status = NOOK_INDEX_OUT_OF_RANGE;
         } else if (q->descent.level != 0) {
-            nook_visit_overlap(&q->descent, q->bvh, q->low, q->high);
+            nook_visit_overlap(&q->descent, q->bvh, q->low, q->high, 0);
         } else {
             status = visit_corners(q);
         }

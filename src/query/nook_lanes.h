@@ -113,17 +113,33 @@ static inline nook_flags nook_overlap_along(const nook_boxes *g, uint32_t child,
            (nook_load_cells(&g->high[axis][child]) >= low[axis]);
 }
 
-/* On to those children of a group whose boxes overlap one in cells. */
+/* Flag k as bit k. */
+static inline uint32_t nook_bits_of(nook_flags flags) {
+#if NOOK_LANES > 1
+    typedef uint64_t two __attribute__((vector_size(16)));
+    const nook_flags bit = {1, 2, 4, 8};
+    two bits = (two)(flags & bit);
+    uint64_t all = bits[0] | bits[1];
+    return (uint32_t)(all | all >> 32);
+#else
+    return flags != 0;
+#endif
+}
+
+/* On to the children whose boxes overlap one in cells, from number first of their level on. */
 static inline void nook_visit_overlap(nook_descent *d, const nook_bvh *bvh, const nook_bound low[3],
-                                      const nook_bound high[3]) {
+                                      const nook_bound high[3], uint32_t first) {
     const nook_boxes *g = nook_descent_boxes(d, bvh);
-    uint32_t entry[4], i;
-    for (i = 0; i < 4u; i += NOOK_LANES) {
-        nook_flags some = nook_overlap_along(g, i, 0, low, high) & nook_overlap_along(g, i, 1, low, high);
-        some = some & nook_overlap_along(g, i, 2, low, high);
-        nook_set_entries(entry, i, some, nook_lanes_of(0));
+    uint32_t i, some = 0;
+    for (i = 0; i < 4u; i += NOOK_LANES)
+        some |= nook_bits_of(nook_overlap_along(g, i, 0, low, high) & nook_overlap_along(g, i, 1, low, high) &
+                             nook_overlap_along(g, i, 2, low, high))
+                << i;
+    nook_descent_leave(d);
+    for (i = 4; i-- > 0;) {
+        d->entry[d->entries] = (uint16_t)i;
+        d->entries = (uint8_t)(d->entries + (some >> i & (4u * d->node + i >= first)));
     }
-    nook_descent_push(d, entry);
 }
 
 /* From memory, as many as there are lanes. */

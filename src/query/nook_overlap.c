@@ -43,7 +43,7 @@ nook_status nook_overlap_step(nook_overlap *q, uint32_t *units) {
         if (*units == 0) return NOOK_MORE;
         --*units;
         if (d->level != 0) {
-            nook_visit_overlap(d, q->bvh, q->from, q->to);
+            nook_visit_overlap(d, q->bvh, q->from, q->to, 0);
         } else {
             status = visit_leaf(q);
         }

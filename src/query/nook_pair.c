@@ -58,19 +58,18 @@ static bool edge_parts(corners a, corners b, uint32_t axis) {
     return false;
 }
 
-static bool interval_parts(corners a, corners b, uint32_t axis) {
-    float least[2], most[2];
-    uint32_t i;
-    least[0] = most[0] = nook_along(a[0], axis);
-    least[1] = most[1] = nook_along(b[0], axis);
-    for (i = 1; i < 3u; i++) {
-        float x = nook_along(a[i], axis), y = nook_along(b[i], axis);
-        least[0] = x < least[0] ? x : least[0];
-        most[0] = x > most[0] ? x : most[0];
-        least[1] = y < least[1] ? y : least[1];
-        most[1] = y > most[1] ? y : most[1];
+static bool is_below(corners a, corners b, uint32_t axis) {
+    uint32_t i, j;
+    for (i = 0; i < 3u; i++) {
+        for (j = 0; j < 3u; j++) {
+            if (nook_along(a[i], axis) >= nook_along(b[j], axis)) return false;
+        }
     }
-    return most[0] < least[1] || most[1] < least[0];
+    return true;
+}
+
+static bool interval_parts(corners a, corners b, uint32_t axis) {
+    return is_below(a, b, axis) || is_below(b, a, axis);
 }
 
 /* Two triangles in one plane meet if no line parts them along any axis: along one of them at least the plane does not
@@ -101,11 +100,11 @@ static uint32_t broadest(corners p) {
     return x > y ? (x > z ? 0 : 2u) : (y > z ? 1u : 2u);
 }
 
-/* Whether all corners of b lie on one side of a for certain. */
-static bool is_clear(corners a, corners b) {
-    int side = nook_orient3d_fast(a[0], a[1], a[2], b[0]);
-    return side != NOOK_UNDECIDED && side == nook_orient3d_fast(a[0], a[1], a[2], b[1]) &&
-           side == nook_orient3d_fast(a[0], a[1], a[2], b[2]);
+/* Whether all corners of b from one on lie on one side of a for certain. */
+static bool is_clear(corners a, corners b, uint32_t i) {
+    int side = nook_orient3d_fast(a[0], a[1], a[2], b[2]);
+    while (side != NOOK_UNDECIDED && i < 2u && side == nook_orient3d_fast(a[0], a[1], a[2], b[i])) i++;
+    return side != NOOK_UNDECIDED && i == 2u;
 }
 
 /* What is cheap and settles most: they are apart along an axis, or on one side, or seen along one axis beside one another. */
@@ -114,7 +113,7 @@ static bool are_apart(corners a, corners b) {
     for (axis = 0; axis < 3u; axis++) {
         if (interval_parts(a, b, axis)) return true;
     }
-    if (is_clear(a, b) || is_clear(b, a)) return true;
+    if (is_clear(a, b, 0) || is_clear(b, a, 0)) return true;
     axis = broadest(a);
     return edge_parts(a, b, axis) || edge_parts(b, a, axis);
 }
@@ -137,13 +136,8 @@ static bool has_area(corners p) {
     return nook_facing(p[0], p[1], p[2], &axis) != 0;
 }
 
-/* a and b share their first corners. Whether nothing else of b can be on a: it lies clear on one side of a, or, seen along
- * an axis, beyond one of the two edges that meet there. */
-static bool is_beyond(corners a, corners b) {
-    int one = nook_orient3d_fast(a[0], a[1], a[2], b[1]), other = nook_orient3d_fast(a[0], a[1], a[2], b[2]);
-    return one == other && one != NOOK_UNDECIDED;
-}
-
+/* a and b share their first corners. Whether nothing else of b can be on a, for, seen along an axis, it lies beyond one of
+ * the two edges that meet there. */
 static bool is_beside(corners a, corners b, uint32_t axis) {
     int turn = nook_orient2d(a[0], a[1], a[2], axis);
     if (turn == 0) return false;
@@ -162,7 +156,7 @@ static bool facing_edge_meets(corners a, corners b) {
 
 static bool meet_beyond_corner(corners a, corners b) {
     uint32_t axis;
-    if (is_beyond(a, b) || is_beyond(b, a)) return false;
+    if (is_clear(a, b, 1) || is_clear(b, a, 1)) return false;
     axis = broadest(a);
     if (is_beside(a, b, axis) || is_beside(b, a, axis)) return false;
     return facing_edge_meets(a, b) || facing_edge_meets(b, a);
