@@ -14,6 +14,11 @@ nook_status nook_triangle_status(const nook_mesh *m, uint32_t c) {
     return NOOK_OK;
 }
 
+nook_status nook_edge_status(const nook_mesh *m, uint32_t c) {
+    nook_status status = nook_triangle_status(m, c);
+    return status != NOOK_OK ? status : nook_triangle_status(m, m->O[c]);
+}
+
 nook_status nook_ring_begin(nook_ring *ring, const nook_view *m, uint32_t c) {
     ring->c = NOOK_NONE;
     return nook_star_begin(&ring->star, m, c, false);
@@ -113,18 +118,31 @@ static void tell(const nook_edit *edit, nook_kind kind, uint32_t from, uint32_t 
     if (edit != NULL && edit->renamed != NULL) edit->renamed(edit->user, kind, from, to);
 }
 
-void nook_drop_triangle(nook_mesh *m, uint32_t t, const nook_edit *edit) {
-    uint32_t last = --m->nt, i;
-    if (t == last) return;
+static void swap_color(const nook_edit *edit, uint32_t t, uint32_t u) {
+    uint8_t keep;
+    if (edit == NULL || edit->color == NULL) return;
+    keep = edit->color[t];
+    edit->color[t] = edit->color[u];
+    edit->color[u] = keep;
+}
+
+void nook_move_triangle(nook_mesh *m, uint32_t from, uint32_t to, const nook_edit *edit) {
+    uint32_t i;
+    if (from == to) return;
     for (i = 0; i < 3u; i++) {
-        uint32_t from = 3u * last + i, to = 3u * t + i, v = m->V[from];
-        m->V[to] = nook_store(v);
-        nook_join(m, to, nook_across(m, from));
-        if (v < m->nv && m->C[v] == from) m->C[v] = nook_store(to);
-        nook_copy_attributes(edit, to, from);
+        uint32_t c = 3u * from + i, d = 3u * to + i, v = m->V[c];
+        m->V[d] = nook_store(v);
+        nook_join(m, d, nook_across(m, c));
+        if (v < m->nv && m->C[v] == c) m->C[v] = nook_store(d);
+        nook_swap_attributes(edit, d, c);
     }
-    nook_copy_color(edit, t, last);
-    tell(edit, NOOK_AT_TRIANGLE, last, t);
+    swap_color(edit, to, from);
+    tell(edit, NOOK_AT_TRIANGLE, from, to);
+}
+
+void nook_drop_triangle(nook_mesh *m, uint32_t t, const nook_edit *edit) {
+    m->nt--;
+    nook_move_triangle(m, m->nt, t, edit);
 }
 
 void nook_drop_triangles(nook_mesh *m, uint32_t t, uint32_t u, const nook_edit *edit) {
@@ -140,13 +158,17 @@ void nook_rename_fan(nook_mesh *m, uint32_t c, uint32_t v) {
     while ((c = nook_star_next(&star)) != NOOK_NONE) m->V[c] = nook_store(v);
 }
 
+void nook_move_vertex(nook_mesh *m, uint32_t from, uint32_t to, const nook_edit *edit) {
+    if (from == to) return;
+    m->G[to] = m->G[from];
+    m->C[to] = m->C[from];
+    nook_rename_fan(m, m->C[to], to);
+    tell(edit, NOOK_AT_VERTEX, from, to);
+}
+
 void nook_drop_vertex(nook_mesh *m, uint32_t v, const nook_edit *edit) {
-    uint32_t last = --m->nv;
-    if (v == last) return;
-    m->G[v] = m->G[last];
-    m->C[v] = m->C[last];
-    nook_rename_fan(m, m->C[v], v);
-    tell(edit, NOOK_AT_VERTEX, last, v);
+    m->nv--;
+    nook_move_vertex(m, m->nv, v, edit);
 }
 
 void nook_drop_vertices(nook_mesh *m, uint32_t v, uint32_t w, const nook_edit *edit) {

@@ -13,6 +13,8 @@ static inline uint32_t nook_across(const nook_mesh *m, uint32_t c) {
 
 /* Whether c is a corner, and the tables of its triangle lead to corners and vertices that exist. */
 nook_status nook_triangle_status(const nook_mesh *m, uint32_t c);
+/* The same of both triangles at the edge that c faces. */
+nook_status nook_edge_status(const nook_mesh *m, uint32_t c);
 
 /* The neighbours of a vertex one by one; at the end of an open fan the last vertex. */
 typedef struct nook_ring {
@@ -70,6 +72,10 @@ static inline void nook_set_triangle(nook_mesh *m, uint32_t t, uint32_t v0, uint
 void nook_add_vertex(nook_mesh *m, nook_point at, uint32_t c);
 void nook_copied(const nook_edit *edit, uint32_t from, uint32_t to);
 
+/* A triangle, or a vertex with a fan of its own, takes a number that nobody has; what is beside the mesh is exchanged, so that
+ * moving it back restores all. */
+void nook_move_triangle(nook_mesh *m, uint32_t from, uint32_t to, const nook_edit *edit);
+void nook_move_vertex(nook_mesh *m, uint32_t from, uint32_t to, const nook_edit *edit);
 /* Triangle t, or vertex v, is joined to nothing any more: the last one takes its number. With two, of either kind, the
  * higher number goes first, so that the other is not the last that moves. */
 void nook_drop_triangle(nook_mesh *m, uint32_t t, const nook_edit *edit);
