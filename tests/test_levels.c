@@ -352,6 +352,30 @@ static void a_record_that_does_not_fit_says_how(void) {
     CHECK_EQUAL(nook_levels_coarsen(&levels, &b.mesh, NULL), NOOK_OK);
 }
 
+static void a_hub_can_stay_but_not_go(void) {
+    uint32_t before;
+    if (SMALL) {
+        skip_test("no room for a hub of 4,097 triangles");
+        return;
+    }
+    hub_fan(4097, true);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    levels = nook_levels_in(splits, 1);
+    before = whole();
+    CHECK_EQUAL(nook_levels_collapse(&levels, &b.mesh, 5, b.mesh.G[0], NULL), NOOK_TOO_MANY_TRIANGLES);
+    CHECK_EQUAL(whole(), before);
+    CHECK_EQUAL(nook_levels_collapse(&levels, &b.mesh, b.mesh.O[5], b.mesh.G[0], NULL), NOOK_OK);
+    CHECK_EQUAL(nook_levels_refine(&levels, &b.mesh, NULL), NOOK_OK);
+    CHECK_EQUAL(whole(), before);
+    hub_fan(4096, true); /* 4,094 are left to the other end */
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    before = whole();
+    levels = nook_levels_in(splits, 1);
+    CHECK_EQUAL(nook_levels_collapse(&levels, &b.mesh, 5, b.mesh.G[0], NULL), NOOK_OK);
+    CHECK_EQUAL(nook_levels_refine(&levels, &b.mesh, NULL), NOOK_OK);
+    CHECK_EQUAL(whole(), before);
+}
+
 /* Up and down as far as it goes, from the coarsest; each step is done on a whole mesh, or is refused and changes nothing. */
 static void replay_spoiled(void) {
     uint32_t step, before;
@@ -403,6 +427,7 @@ static const test tests[] = {
     TEST(a_goal_is_reached_from_anywhere_in_any_slices),
     TEST(a_new_collapse_forgets_the_levels_beyond),
     TEST(a_record_that_does_not_fit_says_how),
+    TEST(a_hub_can_stay_but_not_go),
     TEST(every_spoiled_bit_ends_well),
 };
 

@@ -26,7 +26,7 @@ typedef struct opening {
 
 typedef struct sector {
     nook_view view;
-    uint32_t last;
+    uint32_t first, last, left; /* left: how many may still come; 0: they do not end */
     bool clockwise;
 } sector;
 
@@ -34,29 +34,33 @@ static uint32_t sector_begin(sector *s, const nook_mesh *m, const opening *gap) 
     s->view = nook_view_of(m);
     s->last = gap->d_inner == NOOK_NONE ? NOOK_NONE : nook_prev(gap->d_inner);
     s->clockwise = gap->a_inner == NOOK_NONE;
-    return s->clockwise ? s->last : nook_next(gap->a_inner);
+    s->first = s->clockwise ? s->last : nook_next(gap->a_inner);
+    s->left = MOST;
+    return s->first;
 }
 
 /* The corner of B after x: counter-clockwise from A to D, or else to the border and then clockwise from D to it. */
 static uint32_t sector_next(sector *s, uint32_t x) {
-    if (s->clockwise) return nook_turn(&s->view, x, true);
-    if (x == s->last) return NOOK_NONE;
-    x = nook_turn(&s->view, x, false);
-    s->clockwise = x == NOOK_NONE;
-    return s->clockwise ? s->last : x;
+    if (--s->left == 0) return NOOK_NONE;
+    if (x == s->last && !s->clockwise) return NOOK_NONE;
+    x = nook_turn(&s->view, x, s->clockwise);
+    if (x == NOOK_NONE && !s->clockwise) {
+        s->clockwise = true;
+        x = s->last;
+    }
+    if (x != s->first) return x;
+    s->left = 0;
+    return NOOK_NONE;
 }
 
 /* The place of corner y among them, from 1; MOST if it is none of them. 0: they do not end, or are too many. */
 NOOK_APART static uint32_t find_place(const nook_mesh *m, const opening *gap, uint32_t y) {
     sector way;
-    uint32_t n, x = sector_begin(&way, m, gap), first = x, place = MOST;
-    for (n = 1; x != NOOK_NONE; n++) {
-        if (n == MOST) return 0;
+    uint32_t n, x = sector_begin(&way, m, gap), place = MOST;
+    for (n = 1; x != NOOK_NONE; n++, x = sector_next(&way, x)) {
         if (x == y) place = n;
-        x = sector_next(&way, x);
-        if (x == first) return 0;
     }
-    return place;
+    return way.left == 0 ? 0 : place;
 }
 
 /* ---- the two edges ---------------------------------------------------------------------------------- */
@@ -184,14 +188,14 @@ static nook_status numbers_status(const nook_mesh *m, const nook_vertex_split *s
     if (m->nv >= m->max_nv || nt > m->max_nt) return NOOK_NO_CAPACITY;
     if (s->v > m->nv || s->c >= 3u * nt) return NOOK_INDEX_OUT_OF_RANGE;
     if (border) return NOOK_OK;
-    if (s->o >= 3u * nt || nook_triangle(s->c) == nook_triangle(s->o)) return NOOK_INDEX_OUT_OF_RANGE;
-    return nook_edge_status(m, s->f);
+    return s->o >= 3u * nt || nook_triangle(s->c) == nook_triangle(s->o) ? NOOK_INDEX_OUT_OF_RANGE : NOOK_OK;
 }
 
 NOOK_APART static nook_status refine_status(const nook_mesh *m, const nook_vertex_split *s) {
     nook_status status = numbers_status(m, s);
     opening gap;
     if (status == NOOK_OK) status = nook_edge_status(m, s->e);
+    if (status == NOOK_OK) status = nook_edge_status(m, s->f);
     if (status == NOOK_OK) status = nook_point_status(s->gone);
     if (status == NOOK_OK) status = nook_point_status(s->kept);
     if (status != NOOK_OK) return status;
