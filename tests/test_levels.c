@@ -304,6 +304,14 @@ static void refuses_to_coarsen(nook_status expected) {
     is_as_kept();
 }
 
+static void refuses_to_step(nook_status expected) {
+    uint32_t units = 5;
+    keep();
+    CHECK_EQUAL(nook_levels_step(&levels, &b.mesh, 8, &exchanging, &units), expected);
+    CHECK_EQUAL(units, 4);
+    is_as_kept();
+}
+
 #define WITH(entry, value, refuses, status)                                                                  \
     do {                                                                                                     \
         const nook_vertex_split good = *s;                                                                   \
@@ -315,6 +323,7 @@ static void refuses_to_coarsen(nook_status expected) {
 static void a_record_that_does_not_fit_says_how(void) {
     nook_vertex_split *s = splits;
     nook_index big, keep_v;
+    CHECK_EQUAL(sizeof *s, NOOK_INDEX_BITS == 16 ? 48 : 60);
     octahedron();
     CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
     levels = nook_levels_in(splits, 1);
@@ -331,6 +340,7 @@ static void a_record_that_does_not_fit_says_how(void) {
     WITH(s->gone.x, NOOK_MAX_COORDINATE * 2, refuses_to_refine, NOOK_COORDINATE_TOO_LARGE);
     WITH(s->kept.y, NOOK_MAX_COORDINATE * 2, refuses_to_refine, NOOK_COORDINATE_TOO_LARGE);
     WITH(s->at.z, 7, refuses_to_refine, NOOK_BAD_OPPOSITE);
+    WITH(s->at.z, 7, refuses_to_step, NOOK_BAD_OPPOSITE);
     WITH(s->o, NOOK_STORED_NONE, refuses_to_refine, NOOK_BAD_OPPOSITE); /* C is not at a border */
     WITH(b.mesh.max_nv, b.mesh.nv, refuses_to_refine, NOOK_NO_CAPACITY);
     b.mesh.max_nv = MOST_V;

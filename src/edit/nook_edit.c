@@ -70,7 +70,7 @@ bool nook_is_turned(const nook_edit *edit, const nook_point *a, const nook_point
     return nook_compare_normals(p, p) != 0 || nook_facing(a, b, c, &axis) == 0;
 }
 
-static uint32_t bits_that_differ(const nook_point *a, const nook_point *b) {
+uint32_t nook_bits_that_differ(const nook_point *a, const nook_point *b) {
     return (nook_float_bits(a->x) ^ nook_float_bits(b->x)) | (nook_float_bits(a->y) ^ nook_float_bits(b->y)) |
            (nook_float_bits(a->z) ^ nook_float_bits(b->z));
 }
@@ -83,7 +83,7 @@ bool nook_move_turns(const nook_mesh *m, uint32_t t, const nook_move *move, cons
         if (v >= m->nv) return true; /* no vertex at all */
         old[i] = &m->G[v];
         now[i] = v == move->v[0] ? &move->to[0] : v == move->v[1] ? &move->to[1] : old[i];
-        moved |= bits_that_differ(now[i], old[i]);
+        moved |= nook_bits_that_differ(now[i], old[i]);
     }
     old[3] = old[2];
     return moved != 0 && nook_is_turned(edit, now[0], now[1], now[2], old);

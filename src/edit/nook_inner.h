@@ -40,6 +40,8 @@ static inline bool nook_is_within(const nook_edit *edit, uint32_t triangles) {
 /* Whether v(c) may come to have so many triangles more. */
 bool nook_has_room(const nook_view *m, uint32_t c, uint32_t more, const nook_edit *edit);
 
+uint32_t nook_bits_that_differ(const nook_point *a, const nook_point *b);
+
 /* Two vertices at new places. */
 typedef struct nook_move {
     uint32_t v[2];

@@ -105,7 +105,9 @@ static nook_index renamed(uint32_t x, uint32_t from, uint32_t to) {
     return nook_store(nook_triangle(x) == from ? x - 3u * from + 3u * to : x);
 }
 
-static bool same_bits(const nook_point *p, const nook_point *q) { return memcmp(p, q, sizeof *p) == 0; }
+static bool is_elsewhere(const nook_point *p, const nook_point *q) {
+    return nook_bits_that_differ(p, q) != 0;
+}
 
 /* ---- collapse --------------------------------------------------------------------------------------- */
 
@@ -172,7 +174,7 @@ nook_status nook_levels_coarsen(nook_levels *levels, nook_mesh *m, const nook_ed
     if (status != NOOK_OK) return status;
     o = nook_across(m, s->c);
     if (m->V[nook_next(s->c)] != s->v || o != corner_or_none(s->o)) return NOOK_BAD_OPPOSITE;
-    if (!same_bits(&m->G[s->v], &s->gone) || !same_bits(&m->G[m->V[nook_prev(s->c)]], &s->kept))
+    if (is_elsewhere(&m->G[s->v], &s->gone) || is_elsewhere(&m->G[m->V[nook_prev(s->c)]], &s->kept))
         return NOOK_BAD_OPPOSITE;
     status = nook_collapse(m, s->c, s->at, edit);
     levels->level += status == NOOK_OK;
@@ -200,8 +202,8 @@ NOOK_APART static nook_status refine_status(const nook_mesh *m, const nook_verte
     if (status == NOOK_OK) status = nook_point_status(s->kept);
     if (status != NOOK_OK) return status;
     if (!find_opening(m, s->e, s->f, s->o == NOOK_STORED_NONE, &gap)) return NOOK_BAD_OPPOSITE;
-    return find_place(m, &gap, NOOK_NONE) == 0 || !same_bits(&m->G[gap.c], &s->at) ? NOOK_BAD_OPPOSITE
-                                                                                   : NOOK_OK;
+    return find_place(m, &gap, NOOK_NONE) == 0 || is_elsewhere(&m->G[gap.c], &s->at) ? NOOK_BAD_OPPOSITE
+                                                                                     : NOOK_OK;
 }
 
 /* Triangle t gives its number up, and is the last. */
