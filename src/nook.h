@@ -105,7 +105,8 @@ extern "C" {
 #include "edit/nook_whole.h" /* reverse a shell, split vertices, reorder triangles */
 
 /* shape: change a mesh as a whole, by edits */
-#include "shape/nook_hull.h" /* convex hull of points */
+#include "shape/nook_hull.h"   /* convex hull of points */
+#include "shape/nook_levels.h" /* coarser and finer, to the last bit */
 
 #ifdef __cplusplus
 }
@@ -171,7 +172,7 @@ extern "C" {
  * l, left                     nook_left
  * label vertices              nook_flood_new_vertices
  * left, right face            nook_left_face, nook_right_face
- * level of detail             to come; nook_collapse and nook_split_vertex are its steps
+ * level of detail             nook_levels
  * lone edge                   !nook_is_halfedge
  * manifold                    nook_check_result.manifold
  * marks Mt, Mv                nook_marks
@@ -194,6 +195,7 @@ extern "C" {
  * origin ring                 nook_onext from nook_halfedge_of_vertex
  * origin, target; org, dest   nook_origin, nook_target
  * p, previous                 nook_prev
+ * progressive mesh            nook_levels; its vertex splits, nook_vertex_split
  * r, right                    nook_right
  * ray                         nook_ray
  * reorder triangles           nook_reorder

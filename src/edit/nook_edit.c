@@ -15,6 +15,11 @@ nook_status nook_triangle_status(const nook_mesh *m, uint32_t c) {
     return NOOK_OK;
 }
 
+nook_status nook_edge_status(const nook_mesh *m, uint32_t c) {
+    nook_status status = nook_triangle_status(m, c);
+    return status != NOOK_OK ? status : nook_triangle_status(m, m->O[c]);
+}
+
 nook_status nook_ring_begin(nook_ring *ring, const nook_view *m, uint32_t c) {
     ring->c = NOOK_NONE;
     return nook_star_begin(&ring->star, m, c, false);
@@ -66,7 +71,7 @@ bool nook_is_turned(const nook_edit *edit, const nook_point *a, const nook_point
     return nook_compare_normals(p, p) != 0 || nook_facing(a, b, c, &axis) == 0;
 }
 
-static uint32_t bits_that_differ(const nook_point *a, const nook_point *b) {
+uint32_t nook_bits_that_differ(const nook_point *a, const nook_point *b) {
     return (nook_float_bits(a->x) ^ nook_float_bits(b->x)) | (nook_float_bits(a->y) ^ nook_float_bits(b->y)) |
            (nook_float_bits(a->z) ^ nook_float_bits(b->z));
 }
@@ -79,7 +84,7 @@ bool nook_move_turns(const nook_mesh *m, uint32_t t, const nook_move *move, cons
         if (v >= m->nv) return true; /* no vertex at all */
         old[i] = &m->G[v];
         now[i] = v == move->v[0] ? &move->to[0] : v == move->v[1] ? &move->to[1] : old[i];
-        moved |= bits_that_differ(now[i], old[i]);
+        moved |= nook_bits_that_differ(now[i], old[i]);
     }
     old[3] = old[2];
     return moved != 0 && nook_is_turned(edit, now[0], now[1], now[2], old);
@@ -154,20 +159,25 @@ static void tell(const nook_edit *edit, nook_kind kind, uint32_t from, uint32_t 
     if (edit != NULL && edit->renamed != NULL) edit->renamed(edit->user, kind, from, to);
 }
 
-void nook_drop_triangle(nook_mesh *m, uint32_t t, const nook_edit *edit) {
-    uint32_t last = --m->nt, i;
-    nook_follow(m, edit);
-    if (t == last) return;
+void nook_move_triangle(nook_mesh *m, uint32_t from, uint32_t to, const nook_edit *edit) {
+    uint32_t i;
+    if (from == to) return;
     for (i = 0; i < 3u; i++) {
-        uint32_t from = 3u * last + i, to = 3u * t + i, v = m->V[from];
-        m->V[to] = nook_store(v);
-        nook_join(m, to, nook_across(m, from));
-        if (v < m->nv && m->C[v] == from) m->C[v] = nook_store(to);
-        nook_copy_attributes(edit, to, from);
+        uint32_t c = 3u * from + i, d = 3u * to + i, v = m->V[c];
+        m->V[d] = nook_store(v);
+        nook_join(m, d, nook_across(m, c));
+        if (v < m->nv && m->C[v] == c) m->C[v] = nook_store(d);
+        nook_swap_attributes(edit, d, c);
     }
-    nook_copy_color(edit, t, last);
-    nook_follow_triangle(m, t, edit);
-    tell(edit, NOOK_AT_TRIANGLE, last, t);
+    nook_swap_color(edit, to, from);
+    nook_follow_triangle(m, to, edit);
+    tell(edit, NOOK_AT_TRIANGLE, from, to);
+}
+
+void nook_drop_triangle(nook_mesh *m, uint32_t t, const nook_edit *edit) {
+    m->nt--;
+    nook_follow(m, edit);
+    nook_move_triangle(m, m->nt, t, edit);
 }
 
 void nook_drop_triangles(nook_mesh *m, uint32_t t, uint32_t u, const nook_edit *edit) {
@@ -183,14 +193,18 @@ void nook_rename_fan(nook_mesh *m, uint32_t c, uint32_t v) {
     while ((c = nook_star_next(&star)) != NOOK_NONE) m->V[c] = nook_store(v);
 }
 
+void nook_move_vertex(nook_mesh *m, uint32_t from, uint32_t to, const nook_edit *edit) {
+    if (from == to) return;
+    m->G[to] = m->G[from];
+    m->C[to] = m->C[from];
+    nook_rename_fan(m, m->C[to], to);
+    tell(edit, NOOK_AT_VERTEX, from, to);
+}
+
 void nook_drop_vertex(nook_mesh *m, uint32_t v, const nook_edit *edit) {
-    uint32_t last = --m->nv;
+    m->nv--;
     nook_follow(m, edit);
-    if (v == last) return;
-    m->G[v] = m->G[last];
-    m->C[v] = m->C[last];
-    nook_rename_fan(m, m->C[v], v);
-    tell(edit, NOOK_AT_VERTEX, last, v);
+    nook_move_vertex(m, m->nv, v, edit);
 }
 
 void nook_drop_vertices(nook_mesh *m, uint32_t v, uint32_t w, const nook_edit *edit) {
@@ -202,6 +216,14 @@ void nook_drop_vertices(nook_mesh *m, uint32_t v, uint32_t w, const nook_edit *e
 
 void nook_copy_color(const nook_edit *edit, uint32_t to, uint32_t from) {
     if (edit != NULL && edit->color != NULL) edit->color[to] = edit->color[from];
+}
+
+void nook_swap_color(const nook_edit *edit, uint32_t t, uint32_t u) {
+    uint8_t keep;
+    if (edit == NULL || edit->color == NULL) return;
+    keep = edit->color[t];
+    edit->color[t] = edit->color[u];
+    edit->color[u] = keep;
 }
 
 static float *attributes_of(const nook_edit *edit, uint32_t c) {

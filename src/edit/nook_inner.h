@@ -14,6 +14,8 @@ static inline uint32_t nook_across(const nook_mesh *m, uint32_t c) {
 
 /* Whether c is a corner, and the tables of its triangle lead to corners and vertices that exist. */
 nook_status nook_triangle_status(const nook_mesh *m, uint32_t c);
+/* The same of both triangles at the edge that c faces. */
+nook_status nook_edge_status(const nook_mesh *m, uint32_t c);
 
 /* The neighbours of a vertex one by one; at the end of an open fan the last vertex. */
 typedef struct nook_ring {
@@ -38,6 +40,8 @@ static inline bool nook_is_within(const nook_edit *edit, uint32_t triangles) {
 }
 /* Whether v(c) may come to have so many triangles more. */
 bool nook_has_room(const nook_view *m, uint32_t c, uint32_t more, const nook_edit *edit);
+
+uint32_t nook_bits_that_differ(const nook_point *a, const nook_point *b);
 
 /* Two vertices at new places. */
 typedef struct nook_move {
@@ -96,6 +100,10 @@ void nook_follow_fan(const nook_mesh *m, uint32_t c, const nook_edit *edit);
 void nook_add_vertex(nook_mesh *m, nook_point at, uint32_t c, const nook_edit *edit);
 void nook_copied(const nook_edit *edit, uint32_t from, uint32_t to);
 
+/* A triangle, or a vertex with a fan of its own, takes a number that nobody has; what is beside the mesh is exchanged, so that
+ * moving it back restores all. */
+void nook_move_triangle(nook_mesh *m, uint32_t from, uint32_t to, const nook_edit *edit);
+void nook_move_vertex(nook_mesh *m, uint32_t from, uint32_t to, const nook_edit *edit);
 /* Triangle t, or vertex v, is joined to nothing any more: the last one takes its number. With two, of either kind, the
  * higher number goes first, so that the other is not the last that moves. */
 void nook_drop_triangle(nook_mesh *m, uint32_t t, const nook_edit *edit);
@@ -110,6 +118,7 @@ void nook_rename_fan(nook_mesh *m, uint32_t c, uint32_t v);
 /* Triangle t belongs to no other: color 1 and attributes 0. */
 void nook_new_triangle(uint32_t t, const nook_edit *edit);
 void nook_copy_color(const nook_edit *edit, uint32_t to, uint32_t from);
+void nook_swap_color(const nook_edit *edit, uint32_t t, uint32_t u);
 void nook_copy_attributes(const nook_edit *edit, uint32_t to, uint32_t from);
 void nook_swap_attributes(const nook_edit *edit, uint32_t c, uint32_t d);
 /* Where there are any. */

@@ -3,12 +3,6 @@
 
 #include "edit/nook_inner.h"
 
-/* The status of both triangles at the edge of c. */
-static nook_status edge_status(const nook_mesh *m, uint32_t c) {
-    nook_status status = nook_triangle_status(m, c);
-    return status != NOOK_OK ? status : nook_triangle_status(m, m->O[c]);
-}
-
 static const nook_point *point_of(const nook_mesh *m, uint32_t c) { return &m->G[m->V[c]]; }
 
 /* Room for vertices and triangles. */
@@ -36,7 +30,7 @@ NOOK_APART static nook_status flip_cuts(const nook_mesh *m, uint32_t c, uint32_t
 
 nook_status nook_flip(nook_mesh *m, uint32_t c, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
-    nook_status status = edge_status(m, c);
+    nook_status status = nook_edge_status(m, c);
     uint32_t o, x, y, b, d, n;
     if (status != NOOK_OK) return status;
     if (m->O[c] == c) return NOOK_BORDER_EDGE;
@@ -168,7 +162,7 @@ static void set_attributes_between(const nook_mesh *m, uint32_t to, uint32_t c, 
 NOOK_APART static nook_status split_edge_status(const nook_mesh *m, uint32_t c, nook_point at,
                                                 const nook_edit *edit) {
     nook_view view = nook_view_of(m);
-    nook_status status = edge_status(m, c);
+    nook_status status = nook_edge_status(m, c);
     uint32_t o, side, corner[4];
     if (status != NOOK_OK) return status;
     o = nook_across(m, c);
@@ -238,9 +232,9 @@ static bool turn_to_border(const nook_view *m, uint32_t *c) {
 
 NOOK_APART static nook_status find_sector(const nook_mesh *m, uint32_t c, uint32_t d, sector *s) {
     nook_view view = nook_view_of(m);
-    nook_status status = c == NOOK_NONE ? NOOK_OK : edge_status(m, c);
+    nook_status status = c == NOOK_NONE ? NOOK_OK : nook_edge_status(m, c);
     uint32_t x;
-    if (status == NOOK_OK && (d != NOOK_NONE || c == NOOK_NONE)) status = edge_status(m, d);
+    if (status == NOOK_OK && (d != NOOK_NONE || c == NOOK_NONE)) status = nook_edge_status(m, d);
     if (status != NOOK_OK) return status;
     s->first = c != NOOK_NONE ? nook_next(c) : nook_prev(d);
     s->last = d != NOOK_NONE ? nook_prev(d) : NOOK_NONE;
@@ -438,7 +432,7 @@ static bool has_room_for_both(const nook_view *m, uint32_t c, const nook_edit *e
 
 NOOK_APART static nook_status collapse_status(const nook_mesh *m, uint32_t c, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
-    nook_status status = edge_status(m, c);
+    nook_status status = nook_edge_status(m, c);
     uint32_t o, n = nook_next(c), p = nook_prev(c), common;
     if (status != NOOK_OK) return status;
     if (!has_room_for_both(&view, c, edit)) return NOOK_TOO_MANY_TRIANGLES;
@@ -499,17 +493,18 @@ NOOK_APART static void merge_attributes(nook_mesh *m, uint32_t c, nook_point at,
     }
 }
 
-/* The triangle of c goes: its two other neighbours become neighbours of each other, and its vertices, of which v(n(c))
- * is called by its new name by now, get corners there. */
+/* The triangle of c goes: its two other neighbours become neighbours of each other. Vertices that C says have their corner
+ * here get one there; v(n(c)) is called by its new name by now. */
 NOOK_APART static void close_gap(nook_mesh *m, uint32_t c) {
     nook_view view = nook_view_of(m);
-    uint32_t y = nook_across(m, nook_next(c)), z = nook_across(m, nook_prev(c)),
-             stays = y != NOOK_NONE ? y : z;
-    uint32_t a = m->V[c], v = m->V[nook_prev(c)];
+    uint32_t y = nook_across(m, nook_next(c)), z = nook_across(m, nook_prev(c)), i;
     if (y != NOOK_NONE) nook_join(m, y, z);
     if (y == NOOK_NONE) nook_join(m, z, NOOK_NONE);
-    m->C[a] = nook_store(nook_corner_in(&view, nook_triangle(stays), a));
-    m->C[v] = nook_store(nook_corner_in(&view, nook_triangle(stays), v));
+    for (i = 0; i < 2u; i++) {
+        uint32_t v = m->V[i == 0 ? c : nook_prev(c)];
+        if (nook_triangle(m->C[v]) != nook_triangle(c)) continue;
+        m->C[v] = nook_store(nook_corner_in(&view, nook_triangle(y != NOOK_NONE ? y : z), v));
+    }
 }
 
 nook_status nook_collapse(nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {

@@ -194,11 +194,7 @@ static void exchange(const nook_reorder *r, uint32_t t, uint32_t u) {
         if (stands[i]) m->C[v[i]] = nook_store(d);
     }
     for (i = 0; i < 3u; i++) nook_swap_attributes(r->edit, 3u * t + i, 3u * u + i);
-    if (r->edit != NULL && r->edit->color != NULL) {
-        uint8_t keep = r->edit->color[t];
-        r->edit->color[t] = r->edit->color[u];
-        r->edit->color[u] = keep;
-    }
+    nook_swap_color(r->edit, t, u);
 }
 
 /* Along a cycle: what belongs at this place comes here, and what stood here goes on to where that was. */
