@@ -266,6 +266,8 @@ nook_status nook_levels_refine(nook_levels *levels, nook_mesh *m, const nook_edi
     status = refine_status(m, &s);
     if (status != NOOK_OK) return status;
     split(m, &s, edit);
+    nook_follow_fan(m, nook_next(s.c), edit);
+    nook_follow_fan(m, nook_prev(s.c), edit);
     levels->level--;
     return NOOK_OK;
 }
