@@ -86,6 +86,7 @@ extern "C" {
 #include "walk/nook_halfedge.h"     /* half-edges, MeshLib, quad-edge */
 #include "walk/nook_flood.h"        /* searches, distances, components */
 #include "walk/nook_neighborhood.h" /* k-rings by stars */
+#include "walk/nook_trees.h"        /* spanning trees, loops of handles */
 
 /* query: what is where on a mesh */
 #include "query/nook_bvh.h"           /* a tree of boxes over it */
@@ -148,12 +149,13 @@ extern "C" {
  * eSym, pair                  nook_pair
  * Euler number                nook_check_result.euler
  * Euler operators             nook_sew.h lists them: MVS, MEV, MEF, KHMF
+ * Euler-Poincare formula      nook_check_result.handles
  * even                        nook_check_result.even (the seed's weaker "watertight")
  * fan                         nook_survey.fans
  * fill a hole                 nook_fill: fan, centroid, ears
  * flat edge                   nook_geometry.flat_edges
  * folded edge                 NOOK_FOLDED_EDGE
- * genus, handles              nook_shell_genus
+ * genus, handles              nook_shell_genus; of all shells: nook_check_result.handles; their loops: nook_loop
  * half-edge                   nook_halfedge
  * hole, border loop           nook_border_next, nook_border_length; counted: nook_survey.border_loops
  * incidence table             nook_view.V
@@ -202,7 +204,7 @@ extern "C" {
  * simple mesh                 nook_check_result.simple
  * smooth a shell              to come
  * soup                        nook_mesh_append, nook_weld
- * spanning tree (TST, VST)    the entry corners of nook_flood are a triangle-spanning tree; marks of both to come
+ * spanning tree (TST, VST)    nook_trees
  * split non-manifold vertices nook_split_fans
  * star of a vertex            nook_star
  * star of an edge             NOOK_EF
@@ -211,7 +213,8 @@ extern "C" {
  * subdivision                 out of scope: it makes meshes finer for looks; nook_split_edge and nook_flip are its steps
  * t, triangle                 nook_triangle
  * T-junction                  nook_t_junctions
- * T-mesh, T-patch             nook_check_result.manifold, oriented; with one loop: nook_survey.border_loops
+ * T-mesh                      nook_check_result.manifold, watertight, oriented
+ * T-patch                     nook_check_result.patch
  * trace                       nook_border_next
  * triangle flip (turn over)   NOOK_TURNED_TRIANGLE: nook_edit.no_turn
  * triangle split              nook_split_triangle

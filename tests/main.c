@@ -18,6 +18,7 @@ int main(void) {
     test_geometry();
     test_check();
     test_walk();
+    test_trees();
     test_edit();
     test_sew();
     test_hull();

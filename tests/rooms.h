@@ -11,6 +11,7 @@ void test_link(void);
 void test_geometry(void);
 void test_check(void);
 void test_walk(void);
+void test_trees(void);
 void test_edit(void);
 void test_sew(void);
 void test_hull(void);
