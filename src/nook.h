@@ -87,6 +87,7 @@ extern "C" {
 #include "walk/nook_flood.h"        /* searches, distances, components */
 #include "walk/nook_neighborhood.h" /* k-rings by stars */
 #include "walk/nook_trees.h"        /* spanning trees, loops of handles */
+#include "walk/nook_normals.h"      /* normals of vertices, creases */
 
 /* query: what is where on a mesh */
 #include "query/nook_bvh.h"           /* a tree of boxes over it */
@@ -133,6 +134,7 @@ extern "C" {
  * convex hull                 nook_hull
  * convex mesh                 nook_geometry.convex, with a witness if not
  * corner, corner table        nook_view: V, O
+ * crease, hard edge           nook_creases
  * cut, cut open               nook_cut (an edge that reaches the border); nook_split_vertex
  * delete vertex               nook_remove_vertex
  * depth-first search, Visit   nook_flood
@@ -182,7 +184,7 @@ extern "C" {
  * n, next                     nook_next
  * next, prev (half-edge)      nook_next_halfedge, nook_prev_halfedge; of MeshLib: nook_onext, nook_oprev
  * non-conforming adjacency    nook_t_junctions
- * normal                      nook_normal; of vertices to come; which way it points: nook_facing, nook_compare_normals
+ * normal                      nook_normal; nook_vertex_normal; which way it points: nook_facing, nook_compare_normals
  * ntav, nvat                  nook_ntav, nook_nvat
  * o, opposite                 nook_opposite; computed by nook_link
  * one-ring                    NOOK_VV, NOOK_VF

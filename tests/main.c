@@ -19,6 +19,7 @@ int main(void) {
     test_check();
     test_walk();
     test_trees();
+    test_normals();
     test_edit();
     test_sew();
     test_hull();

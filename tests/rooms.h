@@ -12,6 +12,7 @@ void test_geometry(void);
 void test_check(void);
 void test_walk(void);
 void test_trees(void);
+void test_normals(void);
 void test_edit(void);
 void test_sew(void);
 void test_hull(void);
