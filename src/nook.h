@@ -105,7 +105,8 @@ extern "C" {
 #include "edit/nook_whole.h" /* reverse a shell, split vertices */
 
 /* shape: change a mesh as a whole, by edits */
-#include "shape/nook_hull.h" /* convex hull of points */
+#include "shape/nook_hull.h"   /* convex hull of points */
+#include "shape/nook_smooth.h" /* noise away, Laplace or Taubin */
 
 #ifdef __cplusplus
 }
@@ -204,7 +205,7 @@ extern "C" {
  * sibling                     nook_pair
  * signed distance             nook_signed_distance
  * simple mesh                 nook_check_result.simple
- * smooth a shell              to come
+ * smooth a shell              nook_smooth
  * soup                        nook_mesh_append, nook_weld
  * spanning tree (TST, VST)    nook_trees
  * split non-manifold vertices nook_split_fans
@@ -214,6 +215,7 @@ extern "C" {
  * strips                      out of scope: an order for graphics hardware
  * subdivision                 out of scope: it makes meshes finer for looks; nook_split_edge and nook_flip are its steps
  * t, triangle                 nook_triangle
+ * Taubin smoothing            nook_smooth
  * T-junction                  nook_t_junctions
  * T-mesh                      nook_check_result.manifold, watertight, oriented
  * T-patch                     nook_check_result.patch

@@ -23,6 +23,7 @@ int main(void) {
     test_edit();
     test_sew();
     test_hull();
+    test_smooth();
     test_query();
     test_bvh();
     test_meet();

@@ -16,6 +16,7 @@ void test_normals(void);
 void test_edit(void);
 void test_sew(void);
 void test_hull(void);
+void test_smooth(void);
 void test_query(void);
 void test_bvh(void);
 void test_meet(void);

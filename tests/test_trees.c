@@ -357,6 +357,9 @@ static void a_call_that_cannot_be_carried_out_says_why(void) {
     view.nt = view.nv = 0;
     CHECK_EQUAL(grow(UINT32_MAX), NOOK_OK);
     CHECK_EQUAL(trees.components, 0);
+    view.nt = 4, view.nv = 1; /* less than marks are to be cleared */
+    CHECK_EQUAL(grow(UINT32_MAX), NOOK_OK);
+    CHECK_EQUAL(trees.components, 1);
 }
 
 static const test tests[] = {
