@@ -41,13 +41,14 @@ static nook_status add_up(const nook_smooth_state *s, uint32_t first, float *sum
     return NOOK_OK;
 }
 
-/* Where v goes along the axis, into next[v]. */
+/* Where v goes along the axis, into next[v]. Who was held back and then went only back would go farther each round. */
 static nook_status move(const nook_smooth_state *s, uint32_t v) {
     float at = nook_along(&s->G[v], s->axis), sum;
+    bool stays = s->back && s->how.reference != NULL && s->next[v] == at;
     uint32_t c = nook_corner_of(&s->view, v), count;
     nook_status status;
     s->next[v] = at;
-    if (c == NOOK_NONE) return NOOK_OK;
+    if (c == NOOK_NONE || stays) return NOOK_OK;
     if (c >= 3u * s->view.nt || s->view.V[c] != v) return NOOK_BAD_VERTEX_CORNER;
     c = first_of_fan(&s->view, c);
     if (c == NOOK_NONE) return NOOK_BAD_OPPOSITE;
@@ -83,25 +84,35 @@ static nook_status measure(nook_smooth_state *s, uint32_t t) {
     return status;
 }
 
-/* A triangle that would turn keeps its place along the axis. It has a vertex that would have moved, which does so no more:
- * therefore sweeps over all triangles come to an end. */
+/* A triangle that would turn keeps its place along the axis. If it stood well, it has a vertex that would have moved and
+ * does so no more: therefore sweeps over all triangles come to an end. */
 static nook_status hold(nook_smooth_state *s, uint32_t t) {
-    const nook_point *p[4], *q[4];
+    const nook_index *V = s->view.V + 3u * t;
+    const nook_point *p[4], *q[4], *r[4];
     nook_point to[3];
     uint32_t i;
     nook_status status = points_of(s, t, p);
     if (status != NOOK_OK) return status;
     for (i = 0; i < 3u; i++) {
         to[i] = *p[i];
-        *nook_axis(&to[i], s->axis) = s->next[s->view.V[3u * t + i]];
+        *nook_axis(&to[i], s->axis) = s->next[V[i]];
         q[i] = &to[i];
+        r[i] = &s->how.reference[V[i]];
     }
     q[3] = q[2];
-    if (nook_compare_normals(p, q) > 0 || nook_compare_normals(p, p) <= 0) return NOOK_OK;
-    for (i = 0; i < 3u; i++) s->next[s->view.V[3u * t + i]] = nook_along(p[i], s->axis);
+    r[3] = r[2];
+    if (nook_compare_normals(r, q) > 0 || nook_compare_normals(r, p) <= 0) return NOOK_OK;
+    for (i = 0; i < 3u; i++) s->next[V[i]] = nook_along(p[i], s->axis);
     s->held = true;
     s->result->held++;
     return NOOK_OK;
+}
+
+/* The old coordinate stays in next, so that the way back sees who went. */
+static void take(nook_smooth_state *s, uint32_t v) {
+    float *at = nook_axis(&s->G[v], s->axis), old = *at;
+    *at = s->next[v];
+    s->next[v] = old;
 }
 
 /* ---- passes ------------------------------------------------------------------------------------------ */
@@ -115,17 +126,17 @@ static nook_status visit(nook_smooth_state *s, uint32_t i) {
         if (status != NOOK_OK) s->result->where = nook_at(NOOK_AT_VERTEX, i);
         return status;
     case TURN: return hold(s, i);
-    case TAKE: *nook_axis(&s->G[i], s->axis) = s->next[i]; return NOOK_OK;
+    case TAKE: take(s, i); return NOOK_OK;
     default: return measure(s, i);
     }
 }
 
-/* The axis is done: the next one, the way back, or the next round. */
-static uint32_t phase_after_axis(nook_smooth_state *s) {
-    s->axis = nook_after(s->axis);
-    if (s->axis != 0) return MOVE;
+/* The way back along the axis, the next axis, or the next round. */
+static uint32_t phase_after_pass(nook_smooth_state *s) {
     s->back = !s->back && s->how.mu != 0;
-    if (!s->back) s->round++;
+    if (s->back) return MOVE;
+    s->axis = nook_after(s->axis);
+    if (s->axis == 0) s->round++;
     return s->round < s->how.rounds ? MOVE : AFTER;
 }
 
@@ -135,9 +146,9 @@ static uint32_t next_phase(nook_smooth_state *s) {
     switch (s->phase) {
     case LOOK: return BEFORE;
     case BEFORE: s->result->volume = nook_volume_value(&s->volume); return s->how.rounds != 0 ? MOVE : AFTER;
-    case MOVE: return s->how.no_turn ? TURN : TAKE;
+    case MOVE: return s->how.reference != NULL ? TURN : TAKE;
     case TURN: return held ? TURN : TAKE;
-    case TAKE: return phase_after_axis(s);
+    case TAKE: return phase_after_pass(s);
     default: s->result->gained = 0.0f - nook_volume_value(&s->volume); return DONE;
     }
 }
