@@ -266,6 +266,22 @@ static void the_torus_of_seven_vertices_has_two_loops(void) {
     }
 }
 
+/* From one torus of nine vertices to another by flips: there are 112. */
+static void every_torus_of_nine_vertices_that_flips_lead_to_has_two_loops(void) {
+    uint32_t i, flips, done = 0, rounds = NOOK_TEST_RAM < 2000000 ? 40 : 2000;
+    torus(3, 3);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    view = nook_view_of(&b.mesh);
+    for (i = 0; i < rounds && !test_has_failed(); i++) {
+        for (flips = 0; flips < 20; flips++)
+            done += nook_flip(&b.mesh, throw_dice(&d, 3 * view.nt), NULL) == NOOK_OK;
+        CHECK_EQUAL(grow(UINT32_MAX), NOOK_OK);
+        both_are_trees();
+        loops_are_a_basis_and_cut_nothing_off(UINT32_MAX);
+    }
+    CHECK(done > rounds);
+}
+
 static void any_surface_has_two_loops_a_handle_and_one_a_further_hole(void) {
     uint32_t i, whole = 0, rounds = NOOK_TEST_RAM < 2000000 ? 60 : 1500;
     for (i = 0; i < rounds && !test_has_failed(); i++) {
@@ -367,6 +383,7 @@ static const test tests[] = {
     TEST(in_a_simple_mesh_the_trees_are_all_edges),
     TEST(loops_of_named_surfaces_are_a_basis),
     TEST(the_torus_of_seven_vertices_has_two_loops),
+    TEST(every_torus_of_nine_vertices_that_flips_lead_to_has_two_loops),
     TEST(any_surface_has_two_loops_a_handle_and_one_a_further_hole),
     TEST(fans_that_touch_hang_together),
     TEST(tables_of_any_bits_are_searched_to_an_end),

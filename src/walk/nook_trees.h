@@ -39,9 +39,9 @@ typedef struct nook_trees {
  *           NOOK_STORED_NONE for a vertex of no triangle
  *   NOOK_NULL_ARGUMENT, NOOK_NO_CAPACITY (marks)
  * step returns NOOK_BAD_OPPOSITE where the tables do not hold; that it returns NOOK_OK does not say that they do.
- * At vertices of several fans all fans hang together: then there are more generators, e - f - v + 2 in a component, or trees
- * of two components that grew into one.
- * Steps: 7 nt + nv or a little less, of which 3 nt are the search. */
+ * At vertices of several fans all fans hang together: then there are more generators, e - f - v + 2 in a closed component and
+ * one less in one with a border, or trees of two components that grew into one.
+ * Steps: 7 nt, of which 3 nt are the search, and to clear nv or the bytes of Mt, whichever are more. */
 nook_status nook_trees_begin(nook_trees *trees, const nook_view *view, const nook_marks *marks,
                              nook_index *up);
 nook_status nook_trees_step(nook_trees *trees, uint32_t *units);
