@@ -3,34 +3,19 @@
 
 #include <string.h>
 
-#define NO_CREASE (-2.0f) /* no cosine is less */
+#define NO_CREASE (-2.0f) /* below any cosine: normals need not be looked at */
 #define OPEN 2.0f         /* no coordinate of a normal: none has been written yet */
 
-static nook_point normal_of(const nook_view *m, uint32_t c) {
+/* Of the triangle of c; 0 if there is none, or no cosine that it could be asked for. */
+static nook_point normal_of(const nook_view *m, uint32_t c, float cosine) {
     const nook_index *V = m->V + 3u * nook_triangle(c);
     nook_point p[3];
     uint32_t i;
     for (i = 0; i < 3u; i++) {
-        if (V[i] >= m->nv) return nook_make(0, 0, 0);
+        if (cosine < -1.0f || V[i] >= m->nv) return nook_make(0, 0, 0);
         p[i] = m->G[V[i]];
     }
     return nook_normal(p);
-}
-
-static nook_point about_one(nook_point a) {
-    return nook_scaled(a, nook_power_of_two(254u - nook_exponent(nook_length(a))));
-}
-
-/* Of a triangle that has a normal. By area edges are scaled so that neither the longest nor the shortest that count leave
- * the floats when they are multiplied; by angle each on its own. */
-static float weight_of(const nook_view *m, uint32_t c, nook_weight weight) {
-    nook_point at = nook_point_at(m, c), a = nook_sub(nook_point_at(m, nook_next(c)), at);
-    nook_point b = nook_sub(nook_point_at(m, nook_prev(c)), at);
-    if (weight == NOOK_BY_AREA)
-        return nook_length(nook_cross(nook_scaled(a, 0x1p16f), nook_scaled(b, 0x1p16f)));
-    a = about_one(a);
-    b = about_one(b);
-    return nook_angle(nook_length(nook_cross(a, b)), nook_dot(a, b));
 }
 
 /* The corner after x, whose triangle has normal *n, unless there is a crease between; *n is then that of its triangle. */
@@ -38,7 +23,7 @@ static uint32_t go_on(const nook_view *m, uint32_t x, bool clockwise, float cosi
     uint32_t y = nook_turn(m, x, clockwise);
     nook_point other;
     if (y == NOOK_NONE) return y;
-    other = normal_of(m, y);
+    other = normal_of(m, y, cosine);
     if (nook_dot(*n, other) < cosine) return NOOK_NONE;
     *n = other;
     return y;
@@ -47,7 +32,7 @@ static uint32_t go_on(const nook_view *m, uint32_t x, bool clockwise, float cosi
 /* Where the part of the fan that has corner c begins: behind a crease or border, or at c if it comes round. NOOK_NONE where
  * the tables do not hold. */
 static uint32_t first_of_part(const nook_view *m, uint32_t c, float cosine) {
-    nook_point n = normal_of(m, c);
+    nook_point n = normal_of(m, c, cosine);
     uint32_t x = c, back, steps = m->nt;
     while ((back = go_on(m, x, false, cosine, &n)) != c) {
         if (back == NOOK_NONE) return x;
@@ -57,20 +42,37 @@ static uint32_t first_of_part(const nook_view *m, uint32_t c, float cosine) {
     return c;
 }
 
-/* A part of a fan: the mean over it, and its corners. */
+/* A part of a fan: its corners, and the normals added up, each as long as its triangle weighs. */
 typedef struct part {
     uint32_t first, count;
     nook_point sum;
     float total;
 } part;
 
-static void count_in(part *p, const nook_view *m, uint32_t c, nook_point n, nook_weight weight) {
+static nook_point about_one(nook_point a) {
+    return nook_scaled(a, nook_power_of_two(254u - nook_exponent(nook_length(a))));
+}
+
+/* By area edges are scaled so that neither the longest nor the shortest that count leave the floats when they are
+ * multiplied; by angle each on its own. */
+static void count_in(part *p, const nook_view *m, uint32_t c, nook_weight weight) {
+    uint32_t v = m->V[c], w = m->V[nook_next(c)], u = m->V[nook_prev(c)];
+    bool by_area = weight == NOOK_BY_AREA;
+    nook_point a, b, n;
+    float length, weighs;
     p->count++;
-    if (nook_dot(n, n) > 0) {
-        float w = weight_of(m, c, weight);
-        p->sum = nook_make(p->sum.x + n.x * w, p->sum.y + n.y * w, p->sum.z + n.z * w);
-        p->total += w;
-    }
+    if (v >= m->nv || w >= m->nv || u >= m->nv) return;
+    a = nook_sub(m->G[w], m->G[v]);
+    b = nook_sub(m->G[u], m->G[v]);
+    a = by_area ? nook_scaled(a, 0x1p16f) : about_one(a);
+    b = by_area ? nook_scaled(b, 0x1p16f) : about_one(b);
+    n = nook_cross(a, b);
+    length = nook_length(n);
+    if (!(length > 0x1p-100f)) return;
+    weighs = by_area ? length : nook_angle(length, nook_dot(a, b));
+    n = nook_scaled(n, weighs / length);
+    p->sum = nook_make(p->sum.x + n.x, p->sum.y + n.y, p->sum.z + n.z);
+    p->total += weighs;
 }
 
 /* The part that has corner c. NOOK_ZERO_AREA_TRIANGLE: its mean is none, and 0. */
@@ -82,10 +84,10 @@ static nook_status part_of(part *p, const nook_view *m, uint32_t c, nook_weight 
     memset(p, 0, sizeof *p);
     x = p->first = first_of_part(m, c, cosine);
     if (x == NOOK_NONE) return NOOK_BAD_OPPOSITE;
-    n = normal_of(m, x);
+    n = normal_of(m, x, cosine);
     do {
         met = met || x == c;
-        count_in(p, m, x, n, weight);
+        count_in(p, m, x, weight);
         x = go_on(m, x, true, cosine, &n);
     } while (x != NOOK_NONE && x != p->first && p->count < m->nt);
     if (!met) return NOOK_BAD_OPPOSITE;
