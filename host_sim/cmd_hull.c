@@ -109,19 +109,6 @@ static bool compute(hulled *h, nook_mesh *hull, const load_options *load, failur
     return true;
 }
 
-static bool write_hull(const nook_mesh *hull, const char *out, file_format format) {
-    drawing d;
-    uint32_t i;
-    bool good;
-    memset(&d, 0, sizeof d);
-    for (i = 0; i < hull->nv; i++) (void)drawing_vertex(&d, hull->G[i]);
-    for (i = 0; i < hull->nt; i++)
-        drawing_triangle(&d, hull->V[3u * i], hull->V[3u * i + 1u], hull->V[3u * i + 2u]);
-    good = write_drawing(&d, out, format);
-    drawing_free(&d);
-    return good;
-}
-
 static void report_numbers(FILE *to, const hulled *h) {
     (void)fputs("{\"file\":", to);
     put_string(to, h->in);
@@ -144,7 +131,7 @@ static void report_line(FILE *to, const hulled *h) {
 /* What is said goes to standard output, unless the mesh does. */
 static int finish(const hulled *h, const nook_mesh *hull, file_format format, bool as_json) {
     FILE *to = strcmp(h->out, "-") == 0 ? stderr : stdout;
-    if (!h->flat && !write_hull(hull, h->out, format)) return 2;
+    if (!h->flat && !write_mesh(hull, h->out, format)) return 2;
     if (h->flat) print_message(stderr, h->in, "no hull has a volume: the points lie in one plane");
     if (as_json) report_numbers(to, h);
     if (!as_json && !h->flat) report_line(to, h);

@@ -121,3 +121,16 @@ bool write_drawing(const drawing *d, const char *path, file_format format) {
     if (!good) print_failure(stderr, path, &f);
     return good;
 }
+
+bool write_mesh(const nook_mesh *mesh, const char *path, file_format format) {
+    drawing d;
+    uint32_t i;
+    bool good;
+    memset(&d, 0, sizeof d);
+    for (i = 0; i < mesh->nv; i++) (void)drawing_vertex(&d, mesh->G[i]);
+    for (i = 0; i < mesh->nt; i++)
+        drawing_triangle(&d, mesh->V[3u * i], mesh->V[3u * i + 1u], mesh->V[3u * i + 2u]);
+    good = write_drawing(&d, path, format);
+    drawing_free(&d);
+    return good;
+}

@@ -15,5 +15,6 @@ file_format format_of_path(const char *path);
 void export_drawing(bytes *out, const drawing *d, file_format format);
 /* The same to a file, whole or not at all; false after saying why not. */
 bool write_drawing(const drawing *d, const char *path, file_format format);
+bool write_mesh(const nook_mesh *mesh, const char *path, file_format format);
 
 #endif

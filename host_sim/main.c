@@ -11,14 +11,13 @@ static const struct {
     const char *help;
     unsigned set;
 } commands[] = {
-    {"check", cmd_check, check_help, FOR_CHECK},
-    {"make", cmd_make, make_help, FOR_MAKE},
-    {"query", cmd_query, query_help, FOR_QUERY},
-    {"hull", cmd_hull, hull_help, FOR_HULL},
+    {"check", cmd_check, check_help, FOR_CHECK},     {"make", cmd_make, make_help, FOR_MAKE},
+    {"query", cmd_query, query_help, FOR_QUERY},     {"hull", cmd_hull, hull_help, FOR_HULL},
+    {"smooth", cmd_smooth, smooth_help, FOR_SMOOTH},
 };
 
 static const char *const planned[] = {
-    "repair", "simplify", "smooth", "collide", "pack", "unpack", "verify", "robot", "boards", "run",
+    "repair", "simplify", "collide", "pack", "unpack", "verify", "robot", "boards", "run",
 };
 
 static const char help[] =
@@ -29,6 +28,7 @@ static const char help[] =
     "  nook query FILE                          distance, inside or outside, and rays: JSON on standard "
     "input\n"
     "  nook hull IN OUT                         the convex hull\n"
+    "  nook smooth IN OUT                       without noise\n"
     "  nook COMMAND --help                      the options of a command\n"
     "  nook --version\n"
     "\n"

@@ -17,8 +17,9 @@ static const struct {
     {"--max-list", true, FOR_CHECK}, {"--board", true, FOR_CHECK},
     {"--html", true, FOR_CHECK},     {"--svg", true, FOR_CHECK},
     {"--triangles", true, FOR_MAKE}, {"--defect", true, FOR_MAKE},
-    {"-o", true, FOR_MAKE},          {"--format", true, FOR_MAKE | FOR_HULL},
-    {"--budget", true, FOR_QUERY},
+    {"-o", true, FOR_MAKE},          {"--format", true, FOR_MAKE | FOR_HULL | FOR_SMOOTH},
+    {"--budget", true, FOR_QUERY},   {"--iterations", true, FOR_SMOOTH},
+    {"--method", true, FOR_SMOOTH},  {"--slide", false, FOR_SMOOTH},
 };
 
 bool usage_error(const char *what, const char *about) {

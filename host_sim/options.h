@@ -10,7 +10,8 @@ typedef enum command_set {
     FOR_MAKE = 2,
     FOR_QUERY = 4,
     FOR_HULL = 8,
-    FOR_MESH = FOR_CHECK | FOR_QUERY | FOR_HULL, /* reads one */
+    FOR_SMOOTH = 16,
+    FOR_MESH = FOR_CHECK | FOR_QUERY | FOR_HULL | FOR_SMOOTH, /* reads one */
     FOR_ALL = FOR_MESH | FOR_MAKE
 } command_set;
 
@@ -30,6 +31,9 @@ typedef enum option {
     OPTION_OUTPUT,
     OPTION_FORMAT,
     OPTION_BUDGET,
+    OPTION_ITERATIONS,
+    OPTION_METHOD,
+    OPTION_SLIDE,
     OPTION_COUNT
 } option;
 

@@ -86,6 +86,8 @@ extern "C" {
 #include "walk/nook_halfedge.h"     /* half-edges, MeshLib, quad-edge */
 #include "walk/nook_flood.h"        /* searches, distances, components */
 #include "walk/nook_neighborhood.h" /* k-rings by stars */
+#include "walk/nook_trees.h"        /* spanning trees, loops of handles */
+#include "walk/nook_normals.h"      /* normals of vertices, creases */
 
 /* query: what is where on a mesh */
 #include "query/nook_bvh.h"           /* a tree of boxes over it */
@@ -107,6 +109,7 @@ extern "C" {
 /* shape: change a mesh as a whole, by edits */
 #include "shape/nook_hull.h"   /* convex hull of points */
 #include "shape/nook_levels.h" /* coarser and finer, to the last bit */
+#include "shape/nook_smooth.h" /* noise away, Laplace or Taubin */
 
 #ifdef __cplusplus
 }
@@ -136,6 +139,7 @@ extern "C" {
  * convex hull                 nook_hull
  * convex mesh                 nook_geometry.convex, with a witness if not
  * corner, corner table        nook_view: V, O
+ * crease, hard edge           nook_creases
  * cut, cut open               nook_cut (an edge that reaches the border); nook_split_vertex
  * delete vertex               nook_remove_vertex
  * depth-first search, Visit   nook_flood
@@ -152,12 +156,13 @@ extern "C" {
  * eSym, pair                  nook_pair
  * Euler number                nook_check_result.euler
  * Euler operators             nook_sew.h lists them: MVS, MEV, MEF, KHMF
+ * Euler-Poincare formula      nook_check_result.handles
  * even                        nook_check_result.even (the seed's weaker "watertight")
  * fan                         nook_survey.fans
  * fill a hole                 nook_fill: fan, centroid, ears
  * flat edge                   nook_geometry.flat_edges
  * folded edge                 NOOK_FOLDED_EDGE
- * genus, handles              nook_shell_genus
+ * genus, handles              nook_shell_genus; of all shells: nook_check_result.handles; their loops: nook_loop
  * half-edge                   nook_halfedge
  * hole, border loop           nook_border_next, nook_border_length; counted: nook_survey.border_loops
  * incidence table             nook_view.V
@@ -184,7 +189,7 @@ extern "C" {
  * n, next                     nook_next
  * next, prev (half-edge)      nook_next_halfedge, nook_prev_halfedge; of MeshLib: nook_onext, nook_oprev
  * non-conforming adjacency    nook_t_junctions
- * normal                      nook_normal; of vertices to come; which way it points: nook_facing, nook_compare_normals
+ * normal                      nook_normal; nook_vertex_normal; which way it points: nook_facing, nook_compare_normals
  * ntav, nvat                  nook_ntav, nook_nvat
  * o, opposite                 nook_opposite; computed by nook_link
  * one-ring                    NOOK_VV, NOOK_VF
@@ -206,9 +211,9 @@ extern "C" {
  * sibling                     nook_pair
  * signed distance             nook_signed_distance
  * simple mesh                 nook_check_result.simple
- * smooth a shell              to come
+ * smooth a shell              nook_smooth
  * soup                        nook_mesh_append, nook_weld
- * spanning tree (TST, VST)    the entry corners of nook_flood are a triangle-spanning tree; marks of both to come
+ * spanning tree (TST, VST)    nook_trees
  * split non-manifold vertices nook_split_fans
  * star of a vertex            nook_star
  * star of an edge             NOOK_EF
@@ -216,8 +221,10 @@ extern "C" {
  * strips                      out of scope: an order for graphics hardware
  * subdivision                 out of scope: it makes meshes finer for looks; nook_split_edge and nook_flip are its steps
  * t, triangle                 nook_triangle
+ * Taubin smoothing            nook_smooth
  * T-junction                  nook_t_junctions
- * T-mesh, T-patch             nook_check_result.manifold, oriented; with one loop: nook_survey.border_loops
+ * T-mesh                      nook_check_result.manifold, watertight, oriented
+ * T-patch                     nook_check_result.patch
  * trace                       nook_border_next
  * triangle flip (turn over)   NOOK_TURNED_TRIANGLE: nook_edit.no_turn
  * triangle split              nook_split_triangle

@@ -18,10 +18,13 @@ int main(void) {
     test_geometry();
     test_check();
     test_walk();
+    test_trees();
+    test_normals();
     test_edit();
     test_sew();
     test_hull();
     test_levels();
+    test_smooth();
     test_query();
     test_bvh();
     test_meet();

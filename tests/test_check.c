@@ -471,6 +471,23 @@ static void a_sphere_beside_a_torus_is_not_simple(void) {
     CHECK_EQUAL(b.result.euler, 2);
     CHECK_EQUAL(b.result.manifold, NOOK_YES);
     CHECK_EQUAL(b.result.simple, NOOK_NO);
+    CHECK_EQUAL(b.result.handles, 1);
+}
+
+static void numbers_of_no_surface_give_no_handles(void) {
+    octahedron();
+    turn_over(0); /* then what the triangles form is taken from the report */
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    CHECK_EQUAL(b.result.handles, 0);
+    b.report.survey.fans--;
+    CHECK_EQUAL(check_as_it_is(&b.report), NOOK_OK);
+    CHECK_EQUAL(b.result.handles, NOOK_UNKNOWN);
+    b.report.survey.fans += 3;
+    CHECK_EQUAL(check_as_it_is(&b.report), NOOK_OK);
+    CHECK_EQUAL(b.result.handles, NOOK_UNKNOWN);
+    CHECK_EQUAL(check_as_it_is(NULL), NOOK_OK);
+    CHECK_EQUAL(b.result.handles, NOOK_UNKNOWN);
+    CHECK_EQUAL(b.result.patch, NOOK_MAYBE);
 }
 
 /* A count of shells larger than their room, as a flipped bit makes it. */
@@ -777,6 +794,7 @@ static const test tests[] = {
     TEST(a_report_that_does_not_fit_the_tables_is_not_believed),
     TEST(a_report_with_more_edges_than_lone_corners_is_not_believed),
     TEST(a_sphere_beside_a_torus_is_not_simple),
+    TEST(numbers_of_no_surface_give_no_handles),
     TEST(shells_beyond_their_room_are_not_touched),
     TEST(shells_one_by_one_must_not_be_inside_out),
     TEST(without_a_report_a_whole_O_has_a_volume_and_no_more),

@@ -172,6 +172,8 @@ static void named_surfaces_have_the_numbers_of_their_topology(void) {
         CHECK_EQUAL(b.result.survey.orientable, s->orientable);
         CHECK_EQUAL(b.report.nonmanifold_edges, 0);
         CHECK_EQUAL(nook_shell_genus(&b.shell[0]), s->genus);
+        CHECK_EQUAL(b.result.handles, s->genus);
+        CHECK_EQUAL(b.result.patch, s->genus == 0 && s->components == 1 && s->border_loops == 1);
         if (test_has_failed()) {
             print_text(s->name);
             print_text("\n");
@@ -482,6 +484,9 @@ static void counts_that_no_shell_has_give_no_genus(void) {
     CHECK_EQUAL(nook_shell_genus(&shell), 0);
     shell.fans = 5;
     CHECK_EQUAL(nook_shell_genus(&shell), NOOK_UNKNOWN);
+    for (shell.fans = 4, shell.triangles = 5; shell.triangles < 8; shell.triangles++)
+        CHECK_EQUAL(nook_shell_genus(&shell), NOOK_UNKNOWN);
+    CHECK_EQUAL(nook_shell_genus((shell.triangles = 8, &shell)), 1);
 }
 
 /* Two triangles that run their edge the same way, and a vertex of none. */

@@ -286,10 +286,11 @@ static void compare_shell(const nook_shell *s, uint32_t first) {
 }
 
 static void compare_shells(void) {
-    uint32_t t, c, components = 0, twisted = 0, loops = 0;
+    uint32_t t, c, components = 0, twisted = 0, loops = 0, handles = 0;
     for (t = 0; t < mesh.nt; t++) {
         if (piece[t] == t) {
             if (components < shells.count) compare_shell(&shell[components], t);
+            handles += nook_shell_genus(&shell[components]);
             components++;
             if (!can_be_oriented(t)) twisted++;
         }
@@ -304,6 +305,9 @@ static void compare_shells(void) {
         CHECK_EQUAL(told_in_all(NOOK_NOT_ORIENTABLE), twisted);
         CHECK_EQUAL(result.survey.border_loops, loops);
         CHECK(result.survey.orientable == (twisted == 0 ? NOOK_YES : NOOK_NO));
+        CHECK_EQUAL(result.handles, twisted == 0 ? handles : NOOK_UNKNOWN);
+        CHECK_EQUAL(result.patch, twisted == 0 && handles == 0 && components == 1 && loops == 1 &&
+                                      result.survey.nonmanifold_vertices == 0);
         CHECK(result.simple == (mesh.nt > 0 && components == 1 && report.border_edges == 0 && twisted == 0 &&
                                         result.survey.nonmanifold_vertices == 0 && result.euler == 2
                                     ? NOOK_YES
@@ -312,7 +316,7 @@ static void compare_shells(void) {
         CHECK(told_in_all(NOOK_NOT_ORIENTABLE) <= components);
         CHECK_EQUAL(result.survey.border_loops, NOOK_UNKNOWN);
         CHECK(result.survey.orientable == NOOK_MAYBE);
-        CHECK(result.simple == NOOK_NO);
+        CHECK(result.simple == NOOK_NO && result.patch == NOOK_NO && result.handles == NOOK_UNKNOWN);
     }
 }
 

@@ -10,7 +10,7 @@
 typedef enum nook_status {
     NOOK_OK = 0,   /* done, and nothing to say */
     NOOK_MORE,     /* a resumable call used up its units, or a parser its bytes: call again */
-    NOOK_TRIANGLE, /* a parser or a search has a triangle, or a pair, ready: take it, call again */
+    NOOK_TRIANGLE, /* a parser or a search has a triangle, a pair, or an edge, ready: take it, call again */
 
     /* The call cannot be carried out. */
     NOOK_NULL_ARGUMENT, /* a pointer that must be given is null */

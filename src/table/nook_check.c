@@ -64,6 +64,13 @@ static bool tables_are_good(const nook_check_result *r) {
 
 static nook_truth truth(bool value) { return value ? NOOK_YES : NOOK_NO; }
 
+static uint32_t handles_of(const nook_check_result *r) {
+    int64_t two_g = 2 * (int64_t)r->survey.components - r->survey.border_loops;
+    two_g -= (int64_t)r->survey.fans - r->edges + r->triangles;
+    return r->survey.orientable != NOOK_YES || two_g < 0 || two_g % 2 != 0 ? NOOK_UNKNOWN
+                                                                           : (uint32_t)(two_g / 2);
+}
+
 static void copy_report(nook_check_result *r, const nook_report *report) {
     r->edges = report->edges;
     r->border_edges = report->border_edges;
@@ -82,6 +89,9 @@ static void copy_report(nook_check_result *r, const nook_report *report) {
         truth(r->edge_manifold == NOOK_YES && r->triangles != 0 && r->survey.nonmanifold_vertices == 0);
     r->simple = truth(r->manifold == NOOK_YES && r->watertight == NOOK_YES &&
                       r->survey.orientable == NOOK_YES && r->survey.components == 1u && r->euler == 2);
+    r->handles = handles_of(r);
+    r->patch = truth(r->manifold == NOOK_YES && r->survey.components == 1u && r->survey.border_loops == 1u &&
+                     r->handles == 0);
 }
 
 /* Whether the report can be of these tables: a matched edge takes two corners, and those that O leaves
@@ -213,7 +223,8 @@ static void all_unknown(nook_check_result *r) {
     r->nonmanifold_edges = r->duplicate_triangles = NOOK_UNKNOWN;
     nook_survey_unknown(&r->survey);
     r->edge_manifold = r->manifold = r->even = r->watertight = NOOK_MAYBE;
-    r->oriented = r->clean = r->simple = r->inside_out = r->geometry.convex = NOOK_MAYBE;
+    r->handles = NOOK_UNKNOWN;
+    r->oriented = r->clean = r->simple = r->patch = r->inside_out = r->geometry.convex = NOOK_MAYBE;
     r->geometry.witness_vertex = r->geometry.witness_triangle = NOOK_NONE;
 }
 

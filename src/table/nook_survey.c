@@ -322,6 +322,7 @@ uint32_t nook_shell_genus(const nook_shell *shell) {
     /* fans - edges + triangles = 2 - 2g - loops, with 2 edges = 3 triangles + border edges */
     int64_t four_g = 4 + (int64_t)shell->triangles + shell->border_edges;
     four_g -= 2 * ((int64_t)shell->border_loops + shell->fans);
-    if (!shell->orientable || shell->has_nonmanifold_edge || four_g < 0) return NOOK_UNKNOWN;
+    if (!shell->orientable || shell->has_nonmanifold_edge || four_g < 0 || four_g % 4 != 0)
+        return NOOK_UNKNOWN;
     return (uint32_t)(four_g / 4);
 }

@@ -46,7 +46,7 @@ typedef struct nook_shell {
 } nook_shell;
 
 /* The genus of a shell (number of handles) from fans - edges + triangles = 2 - 2g - loops;
- * NOOK_UNKNOWN if it is not orientable or has a non-manifold edge. */
+ * NOOK_UNKNOWN if it is not orientable or has a non-manifold edge, and where no g fits: then the numbers are of no shell. */
 uint32_t nook_shell_genus(const nook_shell *shell);
 
 /* Where to put the shells one by one; optional. All arrays are the caller's. */

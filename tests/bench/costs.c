@@ -1,6 +1,6 @@
 /* costs.c -- what the library costs on an emulated core that counts instructions, line by line for the table
  * that tests/tools/costs.py keeps: weld, link, survey and check a triangle and at most a unit, over a torus, sound and
- * with defects of every kind; each exact sign, by the stage that decides it; walks, and edits of a mesh of valence 6;
+ * with defects of every kind; each exact sign, by the stage that decides it; walks, normals, smoothing, and edits of a mesh of valence 6;
  * queries on a link of 300 triangles.
  *
  * The emulator counts 64 ns for every instruction; TICK is a tick of the port in tenths of a nanosecond. */
@@ -24,6 +24,7 @@ static NOOK_BVH_ARRAYS(LINK_T) tree;
 static nook_index map[MAX_V], component[MAX_T], stamp[MAX_V];
 static nook_shell shell[MAX_SHELLS];
 static uint8_t Mt[NOOK_MT_BYTES(MAX_T)], Mv[NOOK_MV_BYTES(MAX_V)];
+static float numbers[9 * T];
 static nook_mesh mesh;
 
 static void print_cost(const char *what, const char *of, uint32_t instructions) {
@@ -204,6 +205,62 @@ static void walks(void) {
     print_cost("components", "_a_triangle", spent() / mesh.nt);
     sink = sum;
     (void)sink;
+}
+
+/* Unit by unit, a round of Taubin; with or without points for reference. */
+static void smooth(const char *name, const nook_point *reference) {
+    const nook_smoothing how = {1, NOOK_TAUBIN_LAMBDA, NOOK_TAUBIN_MU, false, reference};
+    nook_smooth_state state;
+    nook_smoothed result;
+    cost c = {0, 0};
+    uint32_t units;
+    nook_status status;
+    nook_smooth_begin(&state, &mesh, &how, numbers, &result);
+    do {
+        units = 1, start(), status = nook_smooth_step(&state, &units), note(&c, 0);
+    } while (status == NOOK_MORE);
+    print_cost(name, "_a_triangle", c.sum / mesh.nt);
+    print_cost(name, "_most_a_unit", c.most);
+}
+
+static void trees_and_normals(void) {
+    nook_marks marks = {Mt, Mv, MAX_T, MAX_V};
+    nook_view view;
+    nook_trees trees;
+    nook_loop loop;
+    nook_creases creases;
+    nook_point normal;
+    cost c = {0, 0}, of_loops = {0, 0}, of_creases = {0, 0};
+    uint32_t units, i;
+    nook_status status;
+    whole_torus();
+    view = nook_view_of(&mesh);
+    nook_trees_begin(&trees, &view, &marks, stamp);
+    do {
+        units = 1, start(), status = nook_trees_step(&trees, &units), note(&c, 0);
+    } while (status == NOOK_MORE);
+    print_cost("trees", "_a_triangle", c.sum / mesh.nt);
+    print_cost("trees", "_most_a_unit", c.most);
+    for (i = 0; i < 3u * mesh.nt; i++) {
+        if (!nook_is_generator(&trees, i)) continue;
+        nook_loop_begin(&loop, &trees, i);
+        do {
+            units = 1, start(), status = nook_loop_step(&loop, &units), note(&of_loops, 0);
+        } while (status == NOOK_MORE || status == NOOK_TRIANGLE);
+    }
+    print_cost("loop", "_most_a_unit", of_loops.most);
+    start(), nook_vertex_normal(&view, 7, NOOK_BY_AREA, &normal);
+    print_cost("vertex_normal", "_by_area_of_6", spent());
+    start(), nook_vertex_normal(&view, 7, NOOK_BY_ANGLE, &normal);
+    print_cost("vertex_normal", "_by_angle_of_6", spent());
+    nook_creases_begin(&creases, &view, NOOK_BY_ANGLE, 0.5f, numbers, 3);
+    do {
+        units = 1, start(), status = nook_creases_step(&creases, &units), note(&of_creases, 0);
+    } while (status == NOOK_MORE);
+    print_cost("creases", "_a_triangle", of_creases.sum / mesh.nt);
+    print_cost("creases", "_most_a_unit", of_creases.most);
+    smooth("smooth", NULL);
+    smooth("smooth_without_turning", mesh.G);
 }
 
 /* Each edit and what takes it back; with and without the condition that nothing turns over. The new points are inside,
@@ -410,6 +467,7 @@ int main(void) {
     measure("defective_", true);
     signs();
     walks();
+    trees_and_normals();
     edits("", NULL);
     {
         static const nook_edit careful = {.no_turn = true};

@@ -1,4 +1,4 @@
-/* spoiled.c -- the rooms walk and edit on tables that hold any bits.
+/* spoiled.c -- the rooms walk and edit, and smoothing, on tables that hold any bits.
  *
  *   one triangle   all 125 O over the corners, the first number beyond them and all bits set, on 8 V, with every C,
  *                  every kind of edit and of points, and every room
@@ -7,7 +7,7 @@
  *                  V, O and C replaced by every other value up to the first beyond and by all bits; two and three
  *                  entries at random; and long series of random edits on what is left after one to three faults
  *
- * Each is given to every function of walk, in arrays that end where the tables end, and to every operator of edit
+ * Each is given to every function of walk and to nook_smooth, in arrays that end where the tables end, and to every operator of edit
  * with every argument, in arrays with room for nothing, for one or two elements, and for more. Proven for each call:
  *   it returns; iterators give no more, and steps take no more, than their headers state
  *   nothing is written beyond an array (fences), and nothing read (AddressSanitizer)
@@ -113,6 +113,7 @@ static room rooms[ROOMS], *here;
 static nook_view view;
 static nook_marks marks;
 static nook_index *of_triangles, *queue_of_triangles, *queue_of_vertices;
+static float *of_corners, *of_vertices;
 
 static void make_room(room *r, uint32_t max_nv, uint32_t max_nt) {
     nook_point *G = fenced(max_nv * sizeof *G);
@@ -139,6 +140,8 @@ static void begin_tables(uint32_t nv, uint32_t nt, const room_more *more) {
     of_triangles = fenced(nt * sizeof *of_triangles);
     queue_of_triangles = fenced(nt * sizeof *queue_of_triangles);
     queue_of_vertices = fenced(nv * sizeof *queue_of_vertices);
+    of_corners = fenced((size_t)9 * nt * sizeof *of_corners);
+    of_vertices = fenced(nv * sizeof *of_vertices);
 }
 
 /* ---- points, C, edits ------------------------------------------------------------------------------ */
@@ -382,6 +385,22 @@ static uint32_t neighborhood_bound(void) {
     return (uint32_t)(NOOK_MT_BYTES(spoiled.nt) + NOOK_MV_BYTES(spoiled.nv)) + nc() + spoiled.nv;
 }
 
+/* nook_trees.h: 7 nt, and nv or the bytes of marks; of a loop 2 nv, and one to find that it is none. */
+static uint32_t trees_bound(void) {
+    uint32_t mt = (uint32_t)NOOK_MT_BYTES(spoiled.nt);
+    return 7 * spoiled.nt + (mt > spoiled.nv ? mt : spoiled.nv);
+}
+static uint32_t loop_bound(void) { return 2 * spoiled.nv + 1; }
+
+/* nook_normals.h: 6 nt. */
+static uint32_t creases_bound(void) { return 6 * spoiled.nt; }
+
+/* nook_smooth.h: nv + 2 nt + 3; a pass 6 nv + 6, and for each axis at most nv + 1 sweeps of nt + 1. */
+static uint32_t smooth_bound(uint32_t passes) {
+    uint32_t nv = spoiled.nv, nt = spoiled.nt;
+    return nv + 2 * nt + 3 + passes * (6 * nv + 6 + 3 * (nv + 1) * (nt + 1));
+}
+
 /* nook_whole.h: less than 13 nt + nv / 4 + 8. */
 static uint32_t split_fans_bound(void) { return 13 * spoiled.nt + spoiled.nv / 4 + 7; }
 
@@ -477,6 +496,84 @@ static void try_neighborhoods(void) {
             run_neighborhood(nook_at(kinds[k], argument(kinds[k], i)));
         }
     }
+}
+
+static void run_loop(const nook_trees *trees, uint32_t c) {
+    nook_loop loop;
+    nook_status status = nook_loop_begin(&loop, trees, c);
+    EXPECT(status == (c < nc() ? NOOK_OK : NOOK_INDEX_OUT_OF_RANGE));
+    if (status != NOOK_OK) return;
+    begin_steps(loop_bound());
+    while ((status = nook_loop_step(&loop, &units)) == NOOK_TRIANGLE) {
+        EXPECT(loop.corner < nc() && (loop.vertex < spoiled.nv || loop.corner == c));
+    }
+    EXPECT(status == NOOK_OK || status == NOOK_NONMANIFOLD_VERTEX);
+    EXPECT(steps_taken() <= bound);
+}
+
+static void try_trees(void) {
+    nook_trees trees;
+    nook_status status;
+    uint32_t c, i;
+    begin_call("nook_trees", 0, 0, 0);
+    EXPECT(nook_trees_begin(&trees, &view, &marks, queue_of_vertices) == NOOK_OK);
+    begin_steps(trees_bound());
+    status = nook_trees_step(&trees, &units);
+    EXPECT(status == NOOK_OK || status == NOOK_BAD_OPPOSITE);
+    EXPECT(steps_taken() <= bound);
+    for (c = 0; c < nc(); c++) {
+        EXPECT(!(nook_is_generator(&trees, c) && nook_in_triangle_tree(&trees, c)));
+        EXPECT(!(nook_is_generator(&trees, c) && nook_in_vertex_tree(&trees, c)));
+    }
+    for (i = 0; i < arguments(NOOK_AT_CORNER); i++) {
+        begin_call("nook_loop", argument(NOOK_AT_CORNER, i), 0, 0);
+        run_loop(&trees, argument(NOOK_AT_CORNER, i));
+    }
+}
+
+static bool is_a_normal(nook_point n) {
+    float square = nook_dot(n, n);
+    return square == 0 || (square > 0.99999f && square < 1.00001f);
+}
+
+static void try_normals(void) {
+    nook_creases creases;
+    nook_status status;
+    uint32_t i, c;
+    for (i = 0; i < arguments(NOOK_AT_CORNER); i++) {
+        nook_point n;
+        c = argument(NOOK_AT_CORNER, i);
+        begin_call("nook_vertex_normal", c, 0, 0);
+        status = nook_vertex_normal(&view, c, i % 2 == 0 ? NOOK_BY_AREA : NOOK_BY_ANGLE, &n);
+        EXPECT((status == NOOK_INDEX_OUT_OF_RANGE) == (c >= nc()));
+        EXPECT(status == NOOK_OK || nook_dot(n, n) == 0);
+        EXPECT(is_a_normal(n));
+    }
+    begin_call("nook_creases", 0, 0, 0);
+    EXPECT(nook_creases_begin(&creases, &view, NOOK_BY_ANGLE, 0.5f, of_corners, 3) == NOOK_OK);
+    begin_steps(creases_bound());
+    status = nook_creases_step(&creases, &units);
+    EXPECT(status == NOOK_OK || status == NOOK_BAD_OPPOSITE);
+    EXPECT(steps_taken() <= bound);
+    for (c = 0; c < nc() && status == NOOK_OK; c++) {
+        EXPECT(is_a_normal(nook_make(of_corners[3 * c], of_corners[3 * c + 1], of_corners[3 * c + 2])));
+    }
+}
+
+/* Afterwards points are not what they were, unless it was refused. */
+static void try_smoothing(void) {
+    nook_mesh *m = &rooms[0].mesh;
+    const nook_smoothing how = {1, 0.9f, -0.95f, spoiled.nt % 2 == 0, m->G};
+    nook_smooth_state state;
+    nook_smoothed result;
+    nook_status status;
+    begin_call("nook_smooth", 0, 0, 0);
+    EXPECT(nook_smooth_begin(&state, m, &how, of_vertices, &result) == NOOK_OK);
+    begin_steps(smooth_bound(2));
+    status = nook_smooth_step(&state, &units);
+    EXPECT(status != NOOK_MORE);
+    if (status != NOOK_OK) EXPECT(result.where.kind != NOOK_NOWHERE && is_as_before(&rooms[0]));
+    EXPECT(steps_taken() <= bound);
 }
 
 /* ---- edit: one call -------------------------------------------------------------------------------- */
@@ -697,7 +794,10 @@ static void try_walk(void) {
     try_relations(NOOK_VV, NOOK_VF + 1);
     try_corners_of_vertices();
     try_neighborhoods();
+    try_trees();
+    try_normals();
     EXPECT(is_as_before(&rooms[0]));
+    try_smoothing();
     with.edit = edit_kind;
 }
 

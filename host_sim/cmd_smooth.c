@@ -1,0 +1,138 @@
+/* cmd_smooth.c -- a smoothed mesh file as another.
+ *
+ * Memory: the mesh, its points as they were, a float a vertex, and the tree of boxes over the original. */
+#include "commands.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+
+#include "decimal.h"
+#include "heap.h"
+#include "json.h"
+#include "tree.h"
+
+const char smooth_help[] =
+    "nook smooth [OPTION...] IN OUT      a mesh without its noise\n"
+    "\n"
+    "Each vertex goes a part of the way to the middle of its neighbours. What is joined to what stays as\n"
+    "it is, no triangle turns over, and a border stays unless it may slide. Says how the volume of a closed\n"
+    "mesh has changed, and how far a vertex is from the surface it was on.\n"
+    "  --iterations N      rounds (default 10)\n"
+    "  --method taubin     a part of the way and a little more back: the volume is kept (default)\n"
+    "  --method laplace    half of the way, and not back: shrinks\n"
+    "  --slide             vertices at a border go to the middle of their two neighbours there\n"
+    "  --format F          stl obj off ply, whatever OUT is called; OUT may be -\n"
+    "  --weld exact|none   join vertices with equal coordinates first (default: exact for STL, none else)\n"
+    "  --scale S           multiply every coordinate by S first\n"
+    "  --json              the numbers as one JSON object\n"
+    "\n"
+    "Exit status: 0 written, 2 unreadable, not written or wrong usage.\n";
+
+typedef struct smoothed {
+    const char *in, *out;
+    nook_smoothing how;
+    uint32_t vertices, triangles;
+    bool closed; /* and oriented: then there is a volume */
+    nook_smoothed told;
+    float distance; /* the most that a vertex is from the original */
+} smoothed;
+
+/* Vertices that did not move, or are of no triangle, are where they were. */
+static bool measure_distance(smoothed *s, const nook_mesh *mesh, nook_point *was, failure *f) {
+    nook_mesh original = *mesh;
+    tree t;
+    nook_closest closest;
+    nook_status status = NOOK_OK;
+    uint32_t v;
+    original.G = was;
+    if (!tree_build(&t, &original, f)) return false;
+    for (v = 0; v < mesh->nv && status == NOOK_OK; v++) {
+        if (memcmp(&was[v], &mesh->G[v], sizeof *was) == 0) continue;
+        status = nook_closest_point(&closest, &t.bvh, mesh->G[v]);
+        if (status == NOOK_OK && closest.distance > s->distance) s->distance = closest.distance;
+    }
+    tree_free(&t);
+    return status == NOOK_OK ? true : fail(f, status, NULL);
+}
+
+static bool compute(smoothed *s, nook_mesh *mesh, failure *f) {
+    nook_point *was = take(mesh->nv, sizeof *was);
+    float *next = take(mesh->nv, sizeof *next);
+    nook_report report;
+    bool good;
+    nook_status status = nook_link(mesh, NULL, NULL, NULL, &report, NULL);
+    memcpy(was, mesh->G, mesh->nv * sizeof *was);
+    s->how.reference = was;
+    if (status == NOOK_OK) status = nook_smooth(mesh, &s->how, next, &s->told);
+    good = status == NOOK_OK ? measure_distance(s, mesh, was, f) : fail(f, status, NULL);
+    s->vertices = mesh->nv;
+    s->triangles = mesh->nt;
+    s->closed = report.matched_edges == report.edges;
+    free(was);
+    free(next);
+    return good;
+}
+
+static void report_numbers(FILE *to, const smoothed *s) {
+    float volume = s->told.volume < 0 ? -s->told.volume : s->told.volume;
+    (void)fputs("{\"file\":", to);
+    put_string(to, s->in);
+    put_count(to, "vertices", s->vertices);
+    put_count(to, "triangles", s->triangles);
+    put_text(to, "method", s->how.mu != 0 ? "taubin" : "laplace");
+    put_count(to, "iterations", s->how.rounds);
+    put_count(to, "held_triangles", s->told.held);
+    put_float(to, "volume_in", s->closed, s->told.volume);
+    put_float(to, "volume_gained", s->closed || !s->how.slide, s->told.gained);
+    put_float(to, "volume_drift", s->closed, s->told.gained / volume);
+    put_float(to, "distance", true, s->distance);
+    (void)fputs("}\n", to);
+}
+
+static void report_line(FILE *to, const smoothed *s) {
+    print_name(to, s->out);
+    (void)fprintf(to, ": %" PRIu32 " vertices, %" PRIu32 " triangles, at most %s from where they were",
+                  s->vertices, s->triangles, decimal_of(s->distance).text);
+    if (s->closed) {
+        (void)fprintf(to, "; volume %s", decimal_of(s->told.volume).text);
+        (void)fprintf(to, ", gained %s", decimal_of(s->told.gained).text);
+    }
+    if (s->told.held > 0) (void)fprintf(to, "; %" PRIu32 " times a triangle would have turned", s->told.held);
+    (void)fputs("\n", to);
+}
+
+static bool option_method(const options *o, nook_smoothing *how) {
+    const char *method = o->given[OPTION_METHOD] ? o->value[OPTION_METHOD] : "taubin";
+    how->lambda = NOOK_TAUBIN_LAMBDA;
+    how->mu = NOOK_TAUBIN_MU;
+    if (strcmp(method, "taubin") == 0) return true;
+    how->lambda = 0.5f;
+    how->mu = 0;
+    return strcmp(method, "laplace") == 0 || usage_error("--method is taubin or laplace, not ", method);
+}
+
+int cmd_smooth(const options *o) {
+    load_options load;
+    file_format format;
+    smoothed s;
+    model m;
+    failure f;
+    int status = 2;
+    memset(&s, 0, sizeof s);
+    s.how.rounds = 10;
+    s.how.slide = o->given[OPTION_SLIDE];
+    if (o->operands != 3) return usage_error("smooth needs IN and OUT (see nook smooth --help)", "") ? 0 : 2;
+    s.in = o->operand[1];
+    s.out = o->operand[2];
+    if (!options_for_load(o, &load) || !option_format(o, s.out, &format)) return 2;
+    if (!option_count(o, OPTION_ITERATIONS, &s.how.rounds) || !option_method(o, &s.how)) return 2;
+    if (!model_load(&m, s.in, &load, 0, &f) || !compute(&s, &m.mesh, &f)) {
+        print_failure(stderr, s.in, &f);
+    } else if (write_mesh(&m.mesh, s.out, format)) {
+        /* What is said goes to standard output, unless the mesh does. */
+        (o->given[OPTION_JSON] ? report_numbers : report_line)(strcmp(s.out, "-") == 0 ? stderr : stdout, &s);
+        status = 0;
+    }
+    model_free(&m);
+    return status;
+}
