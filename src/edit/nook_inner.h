@@ -66,6 +66,9 @@ static inline void nook_set_triangle(nook_mesh *m, uint32_t t, uint32_t v0, uint
     m->V[3u * t + 2u] = nook_store(v2);
 }
 
+/* Triangle t, whose tables hold, runs the other way, as all triangles joined to it are to. */
+void nook_turn_over(nook_mesh *m, uint32_t t, const nook_edit *edit);
+
 /* Vertex mesh->nv, which is counted from now on. */
 void nook_add_vertex(nook_mesh *m, nook_point at, uint32_t c);
 void nook_copied(const nook_edit *edit, uint32_t from, uint32_t to);
