@@ -179,19 +179,20 @@ static nook_status look_at_triangle(nook_orient_shells_state *s, uint32_t t) {
 }
 
 /* Whether corner c lies on triangle t, and its own triangle meets t nowhere else. Seen from c, t is three triangles that
- * share that corner; those without area are part of the others. */
+ * share that corner and no other; those without area are part of the others. */
 static bool stands_on(const nook_view *m, uint32_t c, uint32_t t) {
     const nook_index *T = m->V + (size_t)3u * t;
-    const nook_point *p = &m->G[m->V[c]], *point[3], *triangle[3];
-    nook_index V[6];
+    nook_index V[6] = {m->V[c], 0, 0, m->V[c], m->V[nook_next(c)], m->V[nook_prev(c)]};
+    const nook_point *point[3], *triangle[3];
     nook_view two = *m;
     uint32_t i;
-    for (i = 0; i < 3u; i++) point[i] = p, triangle[i] = &m->G[T[i]];
+    for (i = 0; i < 3u; i++) {
+        if (T[i] == V[4] || T[i] == V[5]) return false;
+        point[i] = &m->G[V[0]];
+        triangle[i] = &m->G[T[i]];
+    }
     if (!nook_triangles_meet(point, triangle)) return false;
     two.V = V;
-    V[0] = V[3] = m->V[c];
-    V[4] = m->V[nook_next(c)];
-    V[5] = m->V[nook_prev(c)];
     for (i = 0; i < 3u; i++) {
         V[1] = T[i];
         V[2] = T[nook_after(i)];
