@@ -226,6 +226,7 @@ bench: bench-query ## and nook_link beside Draco's CornerTable, exact signs by k
 	sh tests/bench/run.sh
 
 include tests/bench/query.mk
+include tests/bench/orient.mk
 BENCH ?=
 bench-query: build/query/bench peers-missing ## queries beside Embree, Bullet, ODE, FCL, CGAL; BENCH="only=rays:pipe20k x.stl"
 	build/query/bench $(BENCH)

@@ -641,6 +641,12 @@ static void shells_that_cross_or_share_more_than_corners_are_refused(void) {
         add_box(other[i], 0);
         is_refused(NOOK_SELF_INTERSECTION);
     }
+    begin_solid(); /* they share vertex 3, and from there a part of an edge */
+    add_tetrahedron(nook_make(0, 0, 2), nook_make(1, 2, 2), nook_make(0, 2, 2), nook_make(0, 2, 0), 0);
+    add_tetrahedron(nook_make(0, 1, 1), nook_make(1, 0, 2), nook_make(0, 0, 1), nook_make(0, 2, 0), 0);
+    for (i = 12; i < 24; i++) b.mesh.V[i] = nook_store(b.mesh.V[i] == 7 ? 3 : b.mesh.V[i]);
+    b.mesh.nv--;
+    is_refused(NOOK_SELF_INTERSECTION);
     begin_solid(); /* an edge across an edge */
     add_tetrahedron(nook_make(0, 0, 0), nook_make(4, 0, 0), nook_make(2, 1, -3), nook_make(2, -1, -3), 0);
     add_tetrahedron(nook_make(2, 2, 0), nook_make(2, -2, 0), nook_make(3, 0, 3), nook_make(1, 0, 3), 0);
