@@ -80,8 +80,7 @@ typedef struct nook_orient_shells_state {
 /* Orient the shells of a linked mesh.
  *   mesh    is written; null: then everything is said and nothing turned
  *   bvh     over the same tables; it stays right
- *   shells  as nook_check() has filled them, with all shells described. cavity is told here, and of a shell that is turned
- *           the volume changes its sign
+ *   shells  as nook_check() has filled them, with all shells described. cavity is told here
  *   edit    attributes are exchanged with corners; or null
  *   finder  hears of NOOK_SELF_INTERSECTION (where shells touch without sharing a vertex: each pair, by its first triangle) and
  *           in the end of NOOK_INSIDE_OUT (each shell that ran the wrong way, by its first triangle); or null
@@ -93,8 +92,11 @@ typedef struct nook_orient_shells_state {
  *                           where: a triangle of it
  *   NOOK_INDEX_OUT_OF_RANGE, NOOK_BAD_OPPOSITE, NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE  the tables do not hold
  * After an error nothing has been turned.
- * Steps: 5 nt + 3 shells, those of nook_intersections if there are several shells, and those of nook_inside for each shell, and
- * for each corner of it that lies on another before one is found that does not. Units are theirs. */
+ * Volumes are as they were: check again before asking again. To have nook_is_sound() speak of cavities, ask without mesh
+ * and put inside_out into result.geometry.inside_out_shells.
+ * Steps: 6 nt; if there are several shells, those of nook_intersections and 1 a pair that touches; and for each shell those of
+ * nook_inside, again for each corner that lies on another shell before one is found that does not. A unit is theirs, and
+ * less than 20 exact signs more for each corner of a pair that touches. */
 nook_status nook_orient_shells_begin(nook_orient_shells_state *state, nook_mesh *mesh, const nook_bvh *bvh,
                                      nook_shells *shells, const nook_edit *edit, const nook_finder *finder);
 nook_status nook_orient_shells_step(nook_orient_shells_state *state, uint32_t *units);
