@@ -795,7 +795,7 @@ static void tables_that_do_not_hold_are_refused(void) {
         CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
         build_tree();
         if (i == 0) b.mesh.O[5] = nook_store(3 * b.mesh.nt);
-        if (i == 1) b.mesh.V[5] = nook_store(b.mesh.nv);
+        if (i == 1) b.mesh.V[1] = nook_store(b.mesh.nv);
         if (i == 2) b.mesh.G[0].y = nook_float_from(0x7FC00000u);
         if (i == 3) b.mesh.G[0].y = 0x1p31f;
         if (i == 4) b.mesh.V[20] = nook_store(b.mesh.nv);

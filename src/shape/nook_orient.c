@@ -155,7 +155,7 @@ nook_status nook_orient(nook_mesh *mesh, const nook_marks *marks, const nook_edi
     if (where != NULL) *where = nook_at(NOOK_NOWHERE, 0);
     if (status != NOOK_OK) return status;
     do {
-        units = 1u << 12; /* any number gives the same */
+        units = 1u << 8; /* any number gives the same */
         status = nook_orient_step(&state, &units);
     } while (status == NOOK_MORE);
     if (where != NULL) *where = state.link.where;
