@@ -164,8 +164,8 @@ sanitize: $(foreach v,$(SANITIZED),build/$(v)/tests.elf build/$(v)/nook) ## test
 PROVE := cc16/prove_exact soft16/prove_exact cc16/prove_worlds cc32/prove_worlds cc16/prove_tables asan16/prove_tables asan16/prove_faults \
 	cc16/prove_faults cc16/prove_edits cc16/prove_spoiled asan16/prove_spoiled cc16/prove_hull cc16/prove_levels cc32/prove_levels asan16/prove_levels cc32/prove_files asan16/prove_files \
 	cc16/prove_pairs cc16/prove_queries cc16/prove_nearest cc16/prove_trees cc32/prove_trees asan16/prove_queries asan16/prove_nearest \
-	asan16/prove_trees
-PROVE_SMALL := $(addprefix asan16/prove_,spoiled queries nearest trees)
+	asan16/prove_trees cc16/prove_orient cc32/prove_orient asan16/prove_orient
+PROVE_SMALL := $(addprefix asan16/prove_,spoiled queries nearest trees orient)
 PROVE_RUNS := $(foreach p,$(filter-out %_tables %_files $(PROVE_SMALL),$(PROVE)),"build/$(p)") \
 	$(foreach p,$(filter %_files,$(PROVE)),"build/$(p) $(MESHES)") $(foreach p,$(PROVE_SMALL),"build/$(p) small") "build/cc16/prove_tables large" "build/asan16/prove_tables small" \
 	"build/cc16/prove_tables pairs"
@@ -226,6 +226,7 @@ bench: bench-query ## and nook_link beside Draco's CornerTable, exact signs by k
 	sh tests/bench/run.sh
 
 include tests/bench/query.mk
+include tests/bench/orient.mk
 BENCH ?=
 bench-query: build/query/bench peers-missing ## queries beside Embree, Bullet, ODE, FCL, CGAL; BENCH="only=rays:pipe20k x.stl"
 	build/query/bench $(BENCH)

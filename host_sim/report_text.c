@@ -29,7 +29,7 @@ static const wording wordings[] = {
     {NOOK_NOT_ORIENTABLE, "one-sided component", "one-sided components",
      "no choice of directions agrees, as on a Moebius strip"},
     {NOOK_INSIDE_OUT, "shell inside out", "shells inside out",
-     "negative volume: the triangles face inwards, or bound a cavity"},
+     "the triangles face into the solid: a negative volume, or in a cavity a positive one"},
     {NOOK_FLAT_SHELL, "flat shell", "flat shells", "no volume: the surface lies folded upon itself"},
     {NOOK_ZERO_AREA_TRIANGLE, "triangle without area", "triangles without area",
      "three different vertices on one line"},
@@ -222,6 +222,21 @@ static void print_measures(FILE *to, const model *m, const nook_check_result *r)
     print_convexity(to, g);
 }
 
+/* Which way the shells face, and how many lie in others. */
+static void print_outward(FILE *to, const verdict *v) {
+    uint32_t k, cavities = 0;
+    if (!is_solid(&v->check)) return;
+    for (k = 0; k < v->shells.count; k++) cavities += v->shells.shell[k].cavity == NOOK_YES;
+    (void)fputs(v->outward == NOOK_YES  ? "  outward    yes"
+                : v->outward == NOOK_NO ? "  outward    no"
+                                        : "  outward    undefined: shells cross or share more than corners",
+                to);
+    if (v->outward != NOOK_MAYBE && cavities != 0)
+        (void)fprintf(to, "; %" PRIu32 " of %" PRIu32 " shells %s", cavities, v->shells.count,
+                      cavities == 1u ? "bounds a cavity" : "bound cavities");
+    (void)fputc('\n', to);
+}
+
 static void print_figures(FILE *to, const model *m, const verdict *v) {
     const nook_check_result *r = &v->check;
     size_t tables = NOOK_MESH_BYTES(m->mesh.nv, m->mesh.nt);
@@ -231,11 +246,7 @@ static void print_figures(FILE *to, const model *m, const verdict *v) {
     print_edges(to, r);
     print_shells(to, v);
     print_measures(to, m, r);
-    if (v->outward != NOOK_MAYBE) {
-        (void)fprintf(to, "  outward    %s; cavities not examined\n",
-                      v->outward == NOOK_YES ? "every shell's own volume is positive"
-                                             : "some shell's own volume is not positive");
-    }
+    print_outward(to, v);
     (void)fprintf(to, "  memory     %lu bytes of tables with %d-bit indices; digest %08" PRIx32 "\n",
                   (unsigned long)tables, NOOK_INDEX_BITS, v->digest);
 }

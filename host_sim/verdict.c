@@ -28,11 +28,6 @@ static void list_dropped(verdict *v, const model *m) {
     v->defects[NOOK_REPEATED_VERTEX].count = m->degenerate;
 }
 
-static nook_truth outward(const nook_check_result *r) {
-    if (r->watertight != NOOK_YES || r->oriented != NOOK_YES) return NOOK_MAYBE;
-    return r->geometry.inside_out_shells == 0 && r->geometry.flat_shells == 0 ? NOOK_YES : NOOK_NO;
-}
-
 static nook_status link_and_check(verdict *v, nook_mesh *mesh, const nook_marks *marks) {
     nook_finder finder = {collect, NULL};
     nook_where where;
@@ -95,7 +90,29 @@ static nook_status find_t_junctions(verdict *v, const nook_bvh *bvh) {
     return NOOK_OK;
 }
 
-/* Both need a linked mesh whose tables and coordinates are good. */
+static void collect_inside_out(void *user, nook_status kind, nook_where where) {
+    if (kind == NOOK_INSIDE_OUT) collect(user, kind, where);
+}
+
+/* Where all is closed and oriented and no shells cross, what is inside out is known of cavities too, and replaces what check
+ * has said of shells by themselves. */
+static nook_status find_nesting(verdict *v, const nook_bvh *bvh) {
+    defect *d = &v->defects[NOOK_INSIDE_OUT], before = *d;
+    nook_finder finder = {collect_inside_out, NULL};
+    nook_status status;
+    finder.user = v;
+    if (v->check.watertight != NOOK_YES || v->check.oriented != NOOK_YES) return NOOK_OK;
+    d->count = d->listed = 0;
+    status = nook_orient_shells(NULL, bvh, &v->shells, NULL, &finder, NULL);
+    if (status == NOOK_OK) {
+        v->outward = d->count + v->defects[NOOK_FLAT_SHELL].count == 0 ? NOOK_YES : NOOK_NO;
+    } else {
+        *d = before;
+    }
+    return status == NOOK_SELF_INTERSECTION ? NOOK_OK : status;
+}
+
+/* All three need a linked mesh whose tables and coordinates are good. */
 static bool find_meetings(verdict *v, const nook_mesh *mesh, failure *f) {
     tree t;
     nook_status status;
@@ -108,6 +125,7 @@ static bool find_meetings(verdict *v, const nook_mesh *mesh, failure *f) {
     }
     status = find_intersections(v, &t.bvh);
     if (status == NOOK_OK) status = find_t_junctions(v, &t.bvh);
+    if (status == NOOK_OK) status = find_nesting(v, &t.bvh);
     tree_free(&t);
     return status == NOOK_OK ? true : fail(f, status, NULL);
 }
@@ -118,6 +136,7 @@ bool examine(verdict *v, model *m, uint32_t max_list, failure *f) {
     nook_status status;
     memset(v, 0, sizeof *v);
     v->max_list = max_list;
+    v->outward = NOOK_MAYBE;
     list_dropped(v, m);
     marks.Mt = take(NOOK_MT_BYTES(mesh->nt), 1);
     marks.Mv = take(NOOK_MV_BYTES(mesh->nv), 1);
@@ -128,7 +147,6 @@ bool examine(verdict *v, model *m, uint32_t max_list, failure *f) {
     v->shells.stamp = take(mesh->nv, sizeof *v->shells.stamp);
     v->shells.max_shells = mesh->nt;
     status = link_and_check(v, mesh, &marks);
-    v->outward = outward(&v->check);
     free(marks.Mt);
     free(marks.Mv);
     if (status != NOOK_OK) return fail(f, status, NULL);

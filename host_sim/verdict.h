@@ -23,7 +23,9 @@ typedef struct verdict {
     nook_report report;
     nook_check_result check;
     nook_shells shells;
-    nook_truth outward; /* every shell's own volume is positive; NOOK_MAYBE unless watertight and oriented */
+    nook_truth
+        outward; /* every shell faces out of the solid, those of cavities into them; NOOK_MAYBE unless watertight
+                           and oriented, and where shells cross */
     uint32_t self_intersections; /* pairs of triangles */
     uint32_t t_junctions;        /* pairs of a vertex and a border edge */
     uint32_t digest;
@@ -31,7 +33,7 @@ typedef struct verdict {
     uint32_t max_list;
 } verdict;
 
-/* Links and checks m, and looks for triangles that meet and for T-junctions. False with f filled if the
+/* Links and checks m, and looks for triangles that meet, for T-junctions, and for which shells lie in others. False with f filled if the
  * library refuses; verdict_free() either way. */
 bool examine(verdict *v, model *m, uint32_t max_list, failure *f);
 void verdict_free(verdict *v);

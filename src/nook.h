@@ -110,6 +110,7 @@ extern "C" {
 #include "shape/nook_hull.h"   /* convex hull of points */
 #include "shape/nook_levels.h" /* coarser and finer, to the last bit */
 #include "shape/nook_smooth.h" /* noise away, Laplace or Taubin */
+#include "shape/nook_orient.h" /* triangles that agree, solids that face outward */
 
 #ifdef __cplusplus
 }
@@ -128,6 +129,7 @@ extern "C" {
  * breadth-first, rings        nook_rings (distance across edges)
  * bridge                      out of scope: a modeling tool; make triangles between the loops with nook_make_triangle
  * capsule, sphere             nook_closest with a radius
+ * cavity                      nook_shell.cavity, by nook_orient_shells
  * centroid                    nook_geometry.centroid
  * clean                       nook_check_result.clean
  * closest point               nook_closest
@@ -168,7 +170,7 @@ extern "C" {
  * incidence table             nook_view.V
  * indexed structure           nook_view.G, nook_view.V; with adjacencies: O, C
  * inertia                     nook_geometry.inertia
- * inside out, outward         NOOK_INSIDE_OUT; nook_geometry.inside_out_shells
+ * inside out, outward         NOOK_INSIDE_OUT; nook_geometry.inside_out_shells; with cavities: nook_orient_shells
  * intersection of triangles   nook_triangles_meet, nook_triangles_intersect
  * invisible                   color 0: nook_edit.color
  * isolated vertex (hair)      NOOK_ISOLATED_VERTEX
@@ -188,12 +190,13 @@ extern "C" {
  * MVS                         nook_make_vertex
  * n, next                     nook_next
  * next, prev (half-edge)      nook_next_halfedge, nook_prev_halfedge; of MeshLib: nook_onext, nook_oprev
+ * nested shells               nook_orient_shells
  * non-conforming adjacency    nook_t_junctions
  * normal                      nook_normal; nook_vertex_normal; which way it points: nook_facing, nook_compare_normals
  * ntav, nvat                  nook_ntav, nook_nvat
  * o, opposite                 nook_opposite; computed by nook_link
  * one-ring                    NOOK_VV, NOOK_VF
- * orient the shells           to come; nook_reverse is its step
+ * orient                      nook_orient: triangles of a surface alike; nook_orient_shells: solids and cavities outward
  * orient2d, orient3d          nook_orient2d, nook_orient3d
  * orientable                  nook_survey.orientable
  * oriented                    nook_check_result.oriented

@@ -25,6 +25,7 @@ int main(void) {
     test_hull();
     test_levels();
     test_smooth();
+    test_orient();
     test_query();
     test_bvh();
     test_meet();

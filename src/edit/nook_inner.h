@@ -95,6 +95,8 @@ static inline void nook_set_triangle(nook_mesh *m, uint32_t t, uint32_t v0, uint
 void nook_follow(const nook_mesh *m, const nook_edit *edit);
 void nook_follow_triangle(const nook_mesh *m, uint32_t t, const nook_edit *edit);
 void nook_follow_fan(const nook_mesh *m, uint32_t c, const nook_edit *edit);
+/* Triangle t, whose tables hold, runs the other way, as all triangles joined to it are to. */
+void nook_turn_over(nook_mesh *m, uint32_t t, const nook_edit *edit);
 
 /* Vertex mesh->nv, which is counted from now on. */
 void nook_add_vertex(nook_mesh *m, nook_point at, uint32_t c, const nook_edit *edit);

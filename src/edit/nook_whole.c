@@ -37,8 +37,7 @@ static uint32_t turned(uint32_t c) {
 }
 
 /* Each opposite is renamed where it stands, and it stands at the corner that takes the other's place. */
-static void turn(const nook_reverse *r, uint32_t t) {
-    nook_mesh *m = r->mesh;
+void nook_turn_over(nook_mesh *m, uint32_t t, const nook_edit *edit) {
     uint32_t c = 3u * t + 1u, v = m->V[c], w = m->V[c + 1u], x = m->O[c], y = m->O[c + 1u];
     m->O[3u * t] = nook_store(turned(m->O[3u * t]));
     m->O[c] = nook_store(turned(y));
@@ -47,7 +46,7 @@ static void turn(const nook_reverse *r, uint32_t t) {
     m->V[c + 1u] = nook_store(v);
     if (m->C[v] == c) m->C[v] = nook_store(c + 1u);
     if (m->C[w] == c + 1u) m->C[w] = nook_store(c);
-    nook_swap_attributes(r->edit, c, c + 1u);
+    nook_swap_attributes(edit, c, c + 1u);
 }
 
 nook_status nook_reverse_step(nook_reverse *r, uint32_t *units) {
@@ -59,7 +58,7 @@ nook_status nook_reverse_step(nook_reverse *r, uint32_t *units) {
             if (!is_chosen(r, r->t)) continue;
             status = r->phase == 0 ? look_at(r, r->t) : NOOK_OK;
             if (status != NOOK_OK) return status;
-            if (r->phase == 1u) turn(r, r->t);
+            if (r->phase == 1u) nook_turn_over(r->mesh, r->t, r->edit);
         }
     }
     return NOOK_OK;

@@ -52,7 +52,9 @@ static int turn_of(const nook_inside *q, const nook_point *const p[3]) {
 
 /* level: the point is between the corners along the axis, so that its side decides; else the triangle is ahead. */
 static void look_at(nook_inside *q, uint32_t t, const nook_point *const p[3], bool level) {
-    int turn = turn_of(q, p);
+    int turn;
+    if (q->component != NULL && q->component[t] == q->skip) return;
+    turn = turn_of(q, p);
     if (level) {
         int side = nook_orient3d(p[0], p[1], p[2], &q->point);
         if (side == 0 && t < q->on && is_on(p, &q->point)) q->on = t;

@@ -18,6 +18,10 @@ typedef struct nook_inside {
     uint32_t crossings; /* odd: inside */
     int32_t winding;
 
+    /* May be set after begin: triangles t with component[t] == skip are left out. */
+    uint32_t skip;
+    const nook_index *component; /* [nt]; null: none is */
+
     const nook_bvh *bvh;
     nook_point point;
     uint32_t cell[3];

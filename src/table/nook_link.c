@@ -66,7 +66,7 @@ static tally tally_of(const nook_link_state *s) {
 }
 
 static void keep(nook_link_state *s, const tally *n) {
-    s->report->edges += n->edges;
+    if (s->report != NULL) s->report->edges += n->edges;
     s->flags |= n->flags;
 }
 
@@ -212,8 +212,13 @@ static void pair_corners(nook_link_state *s, uint32_t b, uint32_t end) {
  * that do not lead were all matched, and the report is complete. */
 static void pairs_done(nook_link_state *s) {
     nook_report *r = s->report;
-    uint32_t members = 3u * s->mesh->nt - r->edges;
+    uint32_t members;
     bool wants_to_hear = s->finder != NULL && s->finder->found != NULL;
+    if (r == NULL) {
+        s->phase = FINISHED;
+        return;
+    }
+    members = 3u * s->mesh->nt - r->edges;
     if ((s->flags & SUSPECT) || (wants_to_hear && r->edges != members)) return;
     r->border_edges = r->odd_edges = r->edges - members;
     r->matched_edges = members;
@@ -380,6 +385,14 @@ nook_status nook_link_step(nook_link_state *s, uint32_t *units) {
         status = advance(s, units);
         if (status != NOOK_OK) return status;
     }
+    return NOOK_OK;
+}
+
+nook_status nook_link_rings_begin(nook_link_state *s, nook_mesh *mesh) {
+    if (s == NULL || mesh == NULL) return NOOK_NULL_ARGUMENT;
+    memset(s, 0, sizeof *s);
+    s->mesh = mesh;
+    s->phase = HEADS;
     return NOOK_OK;
 }
 

@@ -63,4 +63,9 @@ nook_status nook_link_step(nook_link_state *state, uint32_t *units);
 nook_status nook_link(nook_mesh *mesh, const nook_marks *marks, nook_shells *shells,
                       const nook_finder *finder, nook_report *report, nook_where *where);
 
+/* The first half of it, without a report, for those who look at edges before there are opposites: O[c] is the next of the
+ * corners that face the edge of c, whichever way their triangles run it, round in a ring. One of a border is alone, two
+ * name each other, and of three or more no two do. C is as after link. Statuses and steps are those of a sound mesh. */
+nook_status nook_link_rings_begin(nook_link_state *state, nook_mesh *mesh);
+
 #endif

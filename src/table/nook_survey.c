@@ -86,6 +86,7 @@ static void find_root(nook_survey_state *s, uint32_t t) {
         memset(shell, 0, sizeof *shell);
         shell->first_triangle = t;
         shell->orientable = true;
+        shell->cavity = NOOK_MAYBE;
     }
     s->result->components++;
     s->odd = false;
