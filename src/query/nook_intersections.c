@@ -106,31 +106,18 @@ static bool gather(const nook_bvh *bvh, uint32_t place, nook_several *to) {
 }
 
 #if NOOK_LANES > 1
-static uint32_t not_beside(const nook_several *a, const nook_several *b, nook_lanes reach, uint32_t axis,
-                           uint32_t some) {
-    nook_seen x = nook_see(a, axis), y = nook_see(b, axis);
-    some &= ~bits_of(nook_is_beside(a, &x, b, &y, reach));
-    return some == 0 ? 0 : some & ~bits_of(nook_is_beside(b, &y, a, &x, reach));
-}
-
-/* Which of some pairs of triangle i of a and others floats cannot tell apart: by their planes; seen along the axis along
- * which one is largest, and the first of the others that is left. */
+/* Which of some pairs of triangle i of a and others floats cannot tell apart. */
 static uint32_t still_open(const nook_several *a, uint32_t i, const nook_several *b, nook_lanes reach,
                            uint32_t some) {
     nook_several one;
-    uint32_t axis, k = 0;
     nook_spread_plane(a, i, &one);
     some &= ~bits_of(nook_is_on_one_side(&one, b, reach));
     if (some == 0) return 0;
     nook_spread_corners(a, i, &one);
     some &= ~bits_of(nook_is_on_one_side(b, &one, reach));
     if (some == 0) return 0;
-    axis = nook_broadest(&one, 0);
-    some = not_beside(&one, b, reach, axis, some);
-    if (some == 0) return 0;
-    while ((some >> k & 1u) == 0) k++;
-    k = nook_broadest(b, k);
-    return k == axis ? some : not_beside(&one, b, reach, k, some);
+    some &= ~bits_of(nook_is_beside(&one, b, reach));
+    return some == 0 ? 0 : some & ~bits_of(nook_is_beside(b, &one, reach));
 }
 
 /* Which of some pairs of triangle i of a and others may intersect. */
