@@ -188,31 +188,24 @@ NOOK_APART static nook_status next_pair(nook_intersections *q) {
     return NOOK_OK;
 }
 
-/* Look at the node; false where the tables are spoiled. A leaf before this one has seen this one already. */
-static bool visit(nook_intersections *q, leaf *own) {
-    nook_descent *d = &q->descent;
-    if (d->level == 0) {
-        nook_descent_leave(d);
-        return find_pairs(q, own);
-    }
-    visit_group(d, q->bvh, q->low, q->high, q->leaf >> 2u * (d->level - 1u));
-    return true;
-}
-
 /* On to two leaves with pairs that may intersect: NOOK_TRIANGLE, or what step returns. */
 NOOK_APART static nook_status search(nook_intersections *q, uint32_t *units) {
     uint32_t nt = q->bvh->view.nt;
+    nook_descent *d = &q->descent;
     leaf own;
     own.leaf = NOOK_NONE;
     while (q->pairs == 0) {
-        bool more = nook_descent_next(&q->descent, nt, NOOK_UP);
+        bool more = nook_descent_next(d, nt, NOOK_UP);
         if (!more && q->leaf + 1u == (nt + 3u) / 4u) return NOOK_OK;
         if (*units == 0) return NOOK_MORE;
         --*units;
         if (!more) {
             begin_leaf(q);
-        } else if (!visit(q, &own)) {
-            return NOOK_INDEX_OUT_OF_RANGE;
+        } else if (d->level != 0) { /* what ends before this leaf has met it already */
+            visit_group(d, q->bvh, q->low, q->high, q->leaf >> 2u * (d->level - 1u));
+        } else {
+            nook_descent_leave(d);
+            if (!find_pairs(q, &own)) return NOOK_INDEX_OUT_OF_RANGE;
         }
     }
     return NOOK_TRIANGLE;
