@@ -35,17 +35,14 @@ static inline void nook_spread_corners(const nook_several *a, uint32_t k, nook_s
     to->p[2] = nook_spread(&a->p[2], k);
 }
 
+/* The normals, as far as they are certainly less than a right angle off; else 0, which tells no sides. */
 static inline void nook_set_normal(nook_several *a) {
     nook_vectors e = nook_vectors_sub(a->p[1], a->p[0]), f = nook_vectors_sub(a->p[2], a->p[0]);
-    a->normal = nook_vectors_cross(e, f);
+    nook_vectors n = nook_vectors_cross(e, f);
+    nook_flags sure;
     a->size = nook_largest(e) * nook_largest(f);
-}
-
-/* The axis along which triangle k of some is seen largest. */
-static inline uint32_t nook_broadest(const nook_several *a, uint32_t k) {
-    float x = nook_magnitude(a->normal.x)[k], y = nook_magnitude(a->normal.y)[k],
-          z = nook_magnitude(a->normal.z)[k];
-    return x > y ? (x > z ? 0 : 2u) : (y > z ? 1u : 2u);
+    sure = nook_largest(n) > a->size * nook_lanes_of(0x1p-20f) + nook_lanes_of(0x1p-100f);
+    a->normal.x = nook_if(sure, n.x), a->normal.y = nook_if(sure, n.y), a->normal.z = nook_if(sure, n.z);
 }
 
 /* Whether corner j of some triangles is corner i of others. */
@@ -58,63 +55,42 @@ static inline nook_flags nook_is_any_of(const nook_several *a, const nook_severa
     return nook_is_shared(a, 0, b, j) | nook_is_shared(a, 1, b, j) | nook_is_shared(a, 2, b, j);
 }
 
-/* How high corner j of b lies above the planes of a. */
-static inline nook_lanes nook_height(const nook_several *a, const nook_several *b, uint32_t j) {
-    return nook_vectors_dot(a->normal, nook_vectors_sub(b->p[j], a->p[0]));
+/* How high corner j of b lies above a plane with normal n through corner i of a. */
+static inline nook_lanes nook_height(const nook_several *a, uint32_t i, nook_vectors n, const nook_several *b,
+                                     uint32_t j) {
+    return nook_vectors_dot(n, nook_vectors_sub(b->p[j], a->p[i]));
 }
 
 /* Whether b touches the plane of a in shared corners only, and else lies on one side. Then it meets a nowhere else. No
  * corner is farther from one of the other along an axis than reach. */
 static inline nook_flags nook_is_on_one_side(const nook_several *a, const nook_several *b, nook_lanes reach) {
     nook_lanes margin = a->size * reach * nook_lanes_of(0x1p-17f) + nook_lanes_of(0x1p-120f);
-    nook_lanes x = nook_height(a, b, 0), y = nook_height(a, b, 1), z = nook_height(a, b, 2);
+    nook_lanes x = nook_height(a, 0, a->normal, b, 0), y = nook_height(a, 0, a->normal, b, 1),
+               z = nook_height(a, 0, a->normal, b, 2);
     nook_flags i = nook_is_any_of(a, b, 0), j = nook_is_any_of(a, b, 1), k = nook_is_any_of(a, b, 2);
     return ((((x > margin) | i) & ((y > margin) | j) & ((z > margin) | k)) |
             (((x < -margin) | i) & ((y < -margin) | j) & ((z < -margin) | k))) &
            nook_not(i & j & k);
 }
 
-/* The same seen along an axis: coordinates u and v of corner i. */
-typedef struct nook_seen {
-    nook_lanes u[3], v[3], turn; /* 1 counter-clockwise, -1 clockwise, 0 where that is not certain */
-} nook_seen;
-
-static inline nook_seen nook_see(const nook_several *a, uint32_t axis) {
-    nook_lanes left, right, one = nook_lanes_of(1.0f);
-    nook_flags sure;
-    nook_seen s;
-    uint32_t i;
-    for (i = 0; i < 3u; i++) {
-        s.u[i] = axis == 0 ? a->p[i].y : axis == 1u ? a->p[i].z : a->p[i].x;
-        s.v[i] = axis == 0 ? a->p[i].z : axis == 1u ? a->p[i].x : a->p[i].y;
-    }
-    left = (s.u[1] - s.u[0]) * (s.v[2] - s.v[0]), right = (s.v[1] - s.v[0]) * (s.u[2] - s.u[0]);
-    sure = nook_magnitude(left - right) >
-           (nook_magnitude(left) + nook_magnitude(right)) * nook_lanes_of(0x1p-20f);
-    s.turn = nook_if(sure & (left > right), one) - nook_if(sure & (left < right), one);
-    return s;
-}
-
-/* Whether, seen so, b lies beyond the edge from corner i to j of a but for shared ends of that. An edge with both is in two
- * triangles only if the third corner is beyond it. */
-static inline nook_flags nook_edge_parts(const nook_several *a, const nook_seen *x, uint32_t i, uint32_t j,
-                                         const nook_several *b, const nook_seen *y, nook_lanes reach) {
-    nook_lanes eu = (x->u[j] - x->u[i]) * x->turn, ev = (x->v[j] - x->v[i]) * x->turn;
-    nook_lanes margin = (nook_magnitude(eu) + nook_magnitude(ev)) * reach * nook_lanes_of(0x1p-20f) +
-                        nook_lanes_of(0x1p-100f);
+/* Whether b lies beyond the edge from corner i to j of a, over which a plane stands upright, but for shared ends of that. */
+static inline nook_flags nook_edge_parts(const nook_several *a, uint32_t i, uint32_t j, const nook_several *b,
+                                         nook_lanes reach) {
+    nook_vectors e = nook_vectors_sub(a->p[j], a->p[i]), out = nook_vectors_cross(e, a->normal);
+    nook_lanes margin =
+        a->size * nook_largest(e) * reach * nook_lanes_of(0x1p-16f) + nook_lanes_of(0x1p-100f);
     nook_flags past[3];
     uint32_t k;
     for (k = 0; k < 3u; k++) {
-        past[k] = eu * (y->v[k] - x->v[i]) - ev * (y->u[k] - x->u[i]) < -margin;
+        past[k] = nook_height(a, i, out, b, k) > margin;
         past[k] = past[k] | nook_is_shared(a, i, b, k) | nook_is_shared(a, j, b, k);
     }
     return past[0] & past[1] & past[2];
 }
 
-static inline nook_flags nook_is_beside(const nook_several *a, const nook_seen *x, const nook_several *b,
-                                        const nook_seen *y, nook_lanes reach) {
-    return nook_edge_parts(a, x, 0, 1, b, y, reach) | nook_edge_parts(a, x, 1, 2, b, y, reach) |
-           nook_edge_parts(a, x, 2, 0, b, y, reach);
+static inline nook_flags nook_is_beside(const nook_several *a, const nook_several *b, nook_lanes reach) {
+    return nook_edge_parts(a, 0, 1, b, reach) | nook_edge_parts(a, 1, 2, b, reach) |
+           nook_edge_parts(a, 2, 0, b, reach);
 }
 #endif
 

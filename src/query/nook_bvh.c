@@ -274,19 +274,13 @@ static void clear_group(nook_boxes *group) {
     memset(group->high, 0, sizeof group->high);
 }
 
-/* The first child of a group comes with empty ones beside it. */
-static void set_child(nook_boxes *group, uint32_t child, uint32_t axis, uint32_t low, uint32_t high) {
-    group->low[axis][child] = (nook_bound)low;
-    group->high[axis][child] = (nook_bound)high;
-}
-
 static void end_leaf(nook_bvh_state *s, uint32_t leaf) {
     nook_boxes *group = &s->boxes[leaf >> 2];
     uint32_t axis;
     if ((leaf & 3u) == 0) clear_group(group);
     for (axis = 0; axis < 3u; axis++) {
-        set_child(group, leaf & 3u, axis, nook_cell(s->bvh, nook_along(&s->low, axis), axis),
-                  nook_cell(s->bvh, nook_along(&s->high, axis), axis));
+        group->low[axis][leaf & 3u] = (nook_bound)nook_cell(s->bvh, nook_along(&s->low, axis), axis);
+        group->high[axis][leaf & 3u] = (nook_bound)nook_cell(s->bvh, nook_along(&s->high, axis), axis);
     }
     nothing(s);
 }
@@ -311,12 +305,13 @@ static void groups(nook_bvh_state *s, uint32_t end) {
         uint32_t axis, i;
         if ((s->at & 3u) == 0) clear_group(group);
         for (axis = 0; axis < 3u; axis++) {
-            uint32_t low = from->low[axis][0], high = from->high[axis][0];
+            nook_bound low = from->low[axis][0], high = from->high[axis][0];
             for (i = 1; i < 4u; i++) {
                 low = from->low[axis][i] < low ? from->low[axis][i] : low;
                 high = from->high[axis][i] > high ? from->high[axis][i] : high;
             }
-            set_child(group, s->at & 3u, axis, low, high);
+            group->low[axis][s->at & 3u] = low;
+            group->high[axis][s->at & 3u] = high;
         }
     }
 }

@@ -79,7 +79,7 @@ typedef struct nook_bvh_state {
  *   NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE   where: the vertex, if a triangle uses it
  * Steps: about 2.5 nt log2(nt); at most 12 nt log2(nt) + 3 nt, with 16-bit bounds 24: to halve what stands at a place one has to
  * know how far it reaches, perhaps to give it finer keys (3), and to part it at a key that leaves three quarters of the keys
- * or fewer, until one is left (9 times of 32 keys, 21 of 1,024). One unit is a triangle looked at once: at most 350 instructions on M4F, 4,800 on M0. */
+ * or fewer, until one is left (9 times of 32 keys, 21 of 1,024). One unit is a triangle looked at once: at most 360 instructions on M4F, 4,800 on M0. */
 nook_status nook_bvh_begin(nook_bvh_state *state, nook_bvh *bvh, const nook_view *view, nook_boxes *boxes,
                            nook_index *order, nook_where *where);
 /* The same with the order that *bvh has: after vertices moved. boxes are those of *bvh. */

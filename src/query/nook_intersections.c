@@ -60,31 +60,18 @@ static bool gather(const nook_bvh *bvh, uint32_t place, nook_several *to) {
 }
 
 #if NOOK_LANES > 1
-static uint32_t not_beside(const nook_several *a, const nook_several *b, nook_lanes reach, uint32_t axis,
-                           uint32_t some) {
-    nook_seen x = nook_see(a, axis), y = nook_see(b, axis);
-    some &= ~nook_bits_of(nook_is_beside(a, &x, b, &y, reach));
-    return some == 0 ? 0 : some & ~nook_bits_of(nook_is_beside(b, &y, a, &x, reach));
-}
-
-/* Which of some pairs of triangle i of a and others floats cannot tell apart: by their planes; seen along the axis along
- * which one is largest, and the first of the others that is left. */
+/* Which of some pairs of triangle i of a and others floats cannot tell apart. */
 static uint32_t still_open(const nook_several *a, uint32_t i, const nook_several *b, nook_lanes reach,
                            uint32_t some) {
     nook_several one;
-    uint32_t axis, k = 0;
     nook_spread_plane(a, i, &one);
     some &= ~nook_bits_of(nook_is_on_one_side(&one, b, reach));
     if (some == 0) return 0;
     nook_spread_corners(a, i, &one);
     some &= ~nook_bits_of(nook_is_on_one_side(b, &one, reach));
     if (some == 0) return 0;
-    axis = nook_broadest(&one, 0);
-    some = not_beside(&one, b, reach, axis, some);
-    if (some == 0) return 0;
-    while ((some >> k & 1u) == 0) k++;
-    k = nook_broadest(b, k);
-    return k == axis ? some : not_beside(&one, b, reach, k, some);
+    some &= ~nook_bits_of(nook_is_beside(&one, b, reach));
+    return some == 0 ? 0 : some & ~nook_bits_of(nook_is_beside(b, &one, reach));
 }
 
 /* Which of some pairs of triangle i of a and others may intersect. */
@@ -155,31 +142,24 @@ NOOK_APART static nook_status next_pair(nook_intersections *q) {
     return NOOK_OK;
 }
 
-/* Look at the node; false where the tables are spoiled. A leaf before this one has seen this one already. */
-static bool visit(nook_intersections *q, leaf *own) {
-    nook_descent *d = &q->descent;
-    if (d->level == 0) {
-        nook_descent_leave(d);
-        return find_pairs(q, own);
-    }
-    nook_visit_overlap(d, q->bvh, q->low, q->high, q->leaf >> 2u * (d->level - 1u));
-    return true;
-}
-
 /* On to two leaves with pairs that may intersect: NOOK_TRIANGLE, or what step returns. */
 NOOK_APART static nook_status search(nook_intersections *q, uint32_t *units) {
     uint32_t nt = q->bvh->view.nt;
+    nook_descent *d = &q->descent;
     leaf own;
     own.leaf = NOOK_NONE;
     while (q->pairs == 0) {
-        bool more = nook_descent_next(&q->descent, q->bvh->places, NOOK_UP);
+        bool more = nook_descent_next(d, q->bvh->places, NOOK_UP);
         if (!more && q->leaf + 1u == (nt + 3u) / 4u) return NOOK_OK;
         if (*units == 0) return NOOK_MORE;
         --*units;
         if (!more) {
             begin_leaf(q);
-        } else if (!visit(q, &own)) {
-            return NOOK_INDEX_OUT_OF_RANGE;
+        } else if (d->level != 0) { /* what ends before this leaf has met it already */
+            nook_visit_overlap(d, q->bvh, q->low, q->high, q->leaf >> 2u * (d->level - 1u));
+        } else {
+            nook_descent_leave(d);
+            if (!find_pairs(q, &own)) return NOOK_INDEX_OUT_OF_RANGE;
         }
     }
     return NOOK_TRIANGLE;
