@@ -14,7 +14,10 @@ enum { SMALL = NOOK_TEST_RAM < 2000000, ROOM_T = 48, ROOM_V = 36, WIDE = 3 };
 /* The mesh before an edit, and what goes along with b.mesh. */
 static NOOK_MESH_ARRAYS(ROOM_V, ROOM_T) kept;
 static uint32_t kept_nv, kept_nt;
-static float attribute[3 * ROOM_T * WIDE];
+static union {
+    float attribute[3 * ROOM_T * WIDE];
+    NOOK_BVH_ARRAYS(ROOM_T) fresh;
+} beside;
 static uint8_t color[ROOM_T];
 
 static void keep(void) {
@@ -57,7 +60,7 @@ static uint32_t hash_of_mesh(void) {
 }
 
 static uint32_t hash_of_data(void) {
-    uint32_t sum = hash(1, attribute, 3 * b.mesh.nt * WIDE * sizeof *attribute);
+    uint32_t sum = hash(1, beside.attribute, 3 * b.mesh.nt * WIDE * sizeof *beside.attribute);
     return hash(sum, color, b.mesh.nt);
 }
 
@@ -489,7 +492,8 @@ static bool may_be_done(const attempt *a, bool *open) {
     }
 }
 
-static const nook_edit strict = {.no_turn = true, .color = color, .attributes = attribute, .width = WIDE};
+static const nook_edit strict = {
+    .no_turn = true, .color = color, .attributes = beside.attribute, .width = WIDE};
 
 /* Done without conditions and put back, then with them. Ears may find another way when the first is refused. */
 static void judge(const attempt *a) {
@@ -843,7 +847,7 @@ static void compare_valences(const attempt *a) {
 
 /* All limits, of an edit that is possible without one. */
 static void judge_limits(const attempt *a) {
-    nook_edit limited = {.color = color, .attributes = attribute, .width = WIDE};
+    nook_edit limited = {.color = color, .attributes = beside.attribute, .width = WIDE};
     uint32_t sum = hash_of_mesh(), data = 0;
     restore();
     for (limited.max_valence = 1; limited.max_valence < 16; limited.max_valence++) {
@@ -906,7 +910,7 @@ static void a_limit_holds_for_the_new_vertex_of_a_split_as_well(void) {
 
 static uint32_t width;
 static nook_edit with_data(void) {
-    nook_edit edit = {.no_turn = true, .color = color, .attributes = attribute};
+    nook_edit edit = {.no_turn = true, .color = color, .attributes = beside.attribute};
     edit.width = width;
     return edit;
 }
@@ -942,7 +946,8 @@ static void begin_sheet(bool creased) {
     link_shape();
     for (c = 0; c < 3 * b.mesh.nt; c++) {
         color[c / 3] = creased && c / 3 >= 8 ? 2 : 1;
-        for (i = 0; i < width; i++) attribute[c * width + i] = value(color[c / 3], i, b.mesh.G[b.mesh.V[c]]);
+        for (i = 0; i < width; i++)
+            beside.attribute[c * width + i] = value(color[c / 3], i, b.mesh.G[b.mesh.V[c]]);
     }
 }
 
@@ -954,7 +959,7 @@ static void attributes_are_of_their_place(void) {
         float most = is_of_sheet(p) ? 0 : 0.02f;
         CHECK(color[c / 3] == 1 || color[c / 3] == 2);
         for (i = 0; i < width; i++) {
-            float off = attribute[c * width + i] - value(color[c / 3], i, p);
+            float off = beside.attribute[c * width + i] - value(color[c / 3], i, p);
             CHECK(off <= most && off >= -most);
         }
     }
@@ -1097,7 +1102,7 @@ static void begin_fan(uint32_t first, uint32_t turn) {
         add(v[turn], v[(turn + 1) % 3], v[(turn + 2) % 3]);
     }
     link_shape();
-    for (i = 0; i < 9; i++) color[i / 3] = 1, attribute[i] = value(1, 0, b.mesh.G[b.mesh.V[i]]);
+    for (i = 0; i < 9; i++) color[i / 3] = 1, beside.attribute[i] = value(1, 0, b.mesh.G[b.mesh.V[i]]);
 }
 
 /* Whichever number it has. */
@@ -1112,7 +1117,8 @@ static void a_collapse_at_the_border_brings_every_corner_along(void) {
             begin_fan(order / 3, order % 3);
             at = middle(b.mesh.G[b.mesh.V[nook_next(c)]], b.mesh.G[b.mesh.V[nook_prev(c)]]);
             if (b.mesh.O[c] != c || nook_collapse(&b.mesh, c, at, &edit) != NOOK_OK) continue;
-            for (x = 0; x < 3 * b.mesh.nt; x++) CHECK(attribute[x] == value(1, 0, b.mesh.G[b.mesh.V[x]]));
+            for (x = 0; x < 3 * b.mesh.nt; x++)
+                CHECK(beside.attribute[x] == value(1, 0, b.mesh.G[b.mesh.V[x]]));
         }
     }
 }
@@ -1123,7 +1129,7 @@ static void begin_colorful_sheet(dice *d) {
     uint32_t i;
     begin_sheet(false);
     for (i = 0; i < b.mesh.nv; i++) of_vertex[i] = (float)(1 + throw_dice(d, 99999)) * 0.003f;
-    for (i = 0; i < 3 * b.mesh.nt; i++) attribute[i] = of_vertex[b.mesh.V[i]];
+    for (i = 0; i < 3 * b.mesh.nt; i++) beside.attribute[i] = of_vertex[b.mesh.V[i]];
 }
 
 static void attributes_agree_at(nook_point at) {
@@ -1132,8 +1138,8 @@ static void attributes_agree_at(nook_point at) {
     for (c = 0; c < 3 * b.mesh.nt; c++) {
         nook_point p = b.mesh.G[b.mesh.V[c]];
         if (p.x != at.x || p.y != at.y) continue;
-        if (found == 0) found = attribute[c];
-        CHECK(attribute[c] == found);
+        if (found == 0) found = beside.attribute[c];
+        CHECK(beside.attribute[c] == found);
     }
     CHECK(found != 0);
 }
@@ -1163,29 +1169,29 @@ static void a_new_place_on_an_edge_has_the_same_attributes_on_both_sides(void) {
 static void attributes_of_a_place_off_the_edge_are_of_the_nearest_on_it(void) {
     static const float xy[] = {0, 2, -2, 0, 2, 0, 0, -2};
     static const float x[] = {-9, -2, -1, 1, 2, 9}, expected[] = {10, 10, 12.5f, 17.5f, 20, 20};
-    const nook_edit edit = {.attributes = attribute, .width = 1};
+    const nook_edit edit = {.attributes = beside.attribute, .width = 1};
     uint32_t i, c;
     for (i = 0; i < 7; i++) {
         draw(xy, 4, two, 2);
-        for (c = 0; c < 6; c++) attribute[c] = b.mesh.V[c] == 1 ? 10 : b.mesh.V[c] == 2 ? 20 : 77;
+        for (c = 0; c < 6; c++) beside.attribute[c] = b.mesh.V[c] == 1 ? 10 : b.mesh.V[c] == 2 ? 20 : 77;
         if (i == 6) b.mesh.G[2] = b.mesh.G[1];
         CHECK_EQUAL(nook_split_edge(&b.mesh, 0, nook_make(i == 6 ? 5 : x[i], 3, 0), &edit), NOOK_OK);
         for (c = 0; c < 3 * b.mesh.nt; c++) {
-            if (b.mesh.V[c] == 4) CHECK(attribute[c] == (i == 6 ? 15 : expected[i]));
+            if (b.mesh.V[c] == 4) CHECK(beside.attribute[c] == (i == 6 ? 15 : expected[i]));
         }
     }
 }
 
 /* A triangle on v, in any turn, which meets the triangle of color 10 at vertices up to 3, or that of color 20. */
 static void make_and_look(const uint32_t v[3], uint32_t turn, uint8_t met) {
-    const nook_edit edit = {.color = color, .attributes = attribute, .width = 1};
+    const nook_edit edit = {.color = color, .attributes = beside.attribute, .width = 1};
     uint32_t turned_v[3], i, t = b.mesh.nt;
     for (i = 0; i < 3; i++) turned_v[i] = v[(i + turn) % 3];
     CHECK_EQUAL(nook_make_triangle(&b.mesh, turned_v, &edit), NOOK_OK);
     CHECK_EQUAL(color[t], met);
     for (i = 0; i < 3; i++) {
         uint32_t expected = met == 1 || turned_v[i] > 3 ? 0 : met + turned_v[i];
-        CHECK(attribute[3 * t + i] == (float)expected);
+        CHECK(beside.attribute[3 * t + i] == (float)expected);
     }
 }
 
@@ -1203,7 +1209,7 @@ static void a_made_triangle_takes_the_attributes_of_the_corners_it_meets(void) {
         draw(xy, 6, list, 2);
         b.mesh.C[0] = nook_store(turn < 6 ? 0 : 3);
         color[0] = 10, color[1] = 20;
-        for (c = 0; c < 6; c++) attribute[c] = (float)(color[c / 3] + b.mesh.V[c]);
+        for (c = 0; c < 6; c++) beside.attribute[c] = (float)(color[c / 3] + b.mesh.V[c]);
         make_and_look(turn % 2 == 0 ? first : second, turn % 3, turn % 2 == 0 ? 10 : 20);
         make_and_look(turn % 2 == 0 ? second : first, turn % 3, turn % 2 == 0 ? 20 : 10);
     }
@@ -1248,9 +1254,9 @@ static void a_vertex_split_on_a_crease_changes_one_side(void) {
         nook_point p = b.mesh.G[b.mesh.V[c]];
         bool moved = false;
         if (p.x != a.at.x || p.y != a.at.y) continue;
-        moved = attribute[c] - value(color[c / 3], 0, p) < 0.02f &&
-                value(color[c / 3], 0, p) - attribute[c] < 0.02f;
-        if (!moved) CHECK(attribute[c] == value(color[c / 3], 0, place));
+        moved = beside.attribute[c] - value(color[c / 3], 0, p) < 0.02f &&
+                value(color[c / 3], 0, p) - beside.attribute[c] < 0.02f;
+        if (!moved) CHECK(beside.attribute[c] == value(color[c / 3], 0, place));
         sides |= moved ? 1u : 2u;
     }
     CHECK_EQUAL(sides, 3);
@@ -1614,14 +1620,13 @@ static void overlap_finds_all(nook_point low, nook_point high) {
 
 /* The same answers as of a tree that is built anew. */
 static void tree_answers(dice *d) {
-    static NOOK_BVH_ARRAYS(ROOM_T) fresh;
     nook_bvh anew;
     nook_ray ray, same;
     nook_closest near, as_near;
     nook_view view = nook_view_of(&b.mesh);
     nook_point from = finished(d, throw_grid_point(d, 16, false)), to = b.mesh.G[throw_dice(d, b.mesh.nv)];
     CHECK(guard.bvh.view.nt == b.mesh.nt && guard.bvh.view.nv == b.mesh.nv);
-    CHECK_EQUAL(nook_bvh_build(&anew, &view, fresh.boxes, fresh.order, NULL), NOOK_OK);
+    CHECK_EQUAL(nook_bvh_build(&anew, &view, beside.fresh.boxes, beside.fresh.order, NULL), NOOK_OK);
     overlap_finds_all(nook_make(from.x - 2, from.y - 2, from.z - 3), nook_make(from.x, from.y, from.z));
     overlap_finds_all(to, to);
     if (nook_ray_cast(&ray, &guard.bvh, from, nook_sub(to, from), NOOK_MAX_T, NOOK_NEAREST) == NOOK_OK) {
@@ -1676,7 +1681,7 @@ static void a_tree_refuses_exactly_what_would_cut_the_mesh(void) {
 static void a_tree_follows_from_nothing_and_back(void) {
     static const uint8_t one[] = {0, 1, 2};
     static const float xy[] = {0, 0, 4, 0, 0, 4, 4, 4, 1, 1, 2, 2};
-    static const uint32_t same[3] = {0, 1, 2}, beside[3] = {2, 1, 3}, through[3] = {3, 4, 5};
+    static const uint32_t same[3] = {0, 1, 2}, third[3] = {2, 1, 3}, through[3] = {3, 4, 5};
     nook_overlap q;
     nook_view none = {0};
     uint32_t units = 100;
@@ -1691,7 +1696,7 @@ static void a_tree_follows_from_nothing_and_back(void) {
     CHECK_EQUAL(nook_make_triangle(&b.mesh, through, &watched), NOOK_SELF_INTERSECTION);
     CHECK_EQUAL(nook_make_triangle(&b.mesh, through, NULL), NOOK_OK);
     CHECK_EQUAL(nook_remove_triangle(&b.mesh, 1, &watched), NOOK_OK);
-    CHECK_EQUAL(nook_make_triangle(&b.mesh, beside, &watched), NOOK_OK);
+    CHECK_EQUAL(nook_make_triangle(&b.mesh, third, &watched), NOOK_OK);
     CHECK_EQUAL(nook_overlap_begin(NULL, &guard.bvh, b.mesh.G[0], b.mesh.G[0]), NOOK_NULL_ARGUMENT);
     CHECK_EQUAL(nook_overlap_begin(&q, NULL, b.mesh.G[0], b.mesh.G[0]), NOOK_NULL_ARGUMENT);
     CHECK_EQUAL(nook_overlap_begin(&q, &guard.bvh, b.mesh.G[0], b.mesh.G[0]), NOOK_OK);
