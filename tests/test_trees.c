@@ -8,11 +8,15 @@
 #include "rooms.h"
 #include "shapes.h"
 
-enum { MANY = 64, MANY_C = 3 * MANY };
+enum {
+    MANY = 64,
+    MANY_C = 3 * MANY,
+    ROOM = 132
+}; /* for loops; and no shape has more triangles or vertices than that */
 
 static nook_view view;
 static nook_trees trees;
-static nook_index up[MOST_V];
+static nook_index up[ROOM];
 static dice d = {41};
 
 /* ---- surfaces -------------------------------------------------------------------------------------- */
@@ -76,7 +80,7 @@ static nook_status grow(uint32_t cut) {
     return status;
 }
 
-static nook_index set[MOST_V]; /* or triangles, which are fewer */
+static nook_index set[ROOM];
 static uint32_t sets;
 
 static void begin_sets(uint32_t n) {
