@@ -99,13 +99,14 @@ static void collect_inside_out(void *user, nook_status kind, nook_where where) {
 static nook_status find_nesting(verdict *v, const nook_bvh *bvh) {
     defect *d = &v->defects[NOOK_INSIDE_OUT], before = *d;
     nook_finder finder = {collect_inside_out, NULL};
+    nook_orient_shells_state state;
     nook_status status;
     finder.user = v;
     if (v->check.watertight != NOOK_YES || v->check.oriented != NOOK_YES) return NOOK_OK;
     d->count = d->listed = 0;
-    status = nook_orient_shells(NULL, bvh, &v->shells, NULL, &finder, NULL);
+    status = nook_orient_shells(&state, NULL, bvh, &v->shells, NULL, &finder);
     if (status == NOOK_OK) {
-        v->outward = d->count + v->defects[NOOK_FLAT_SHELL].count == 0 ? NOOK_YES : NOOK_NO;
+        v->outward = state.inside_out + state.flat == 0 ? NOOK_YES : NOOK_NO;
     } else {
         *d = before;
     }

@@ -23,9 +23,7 @@ typedef struct verdict {
     nook_report report;
     nook_check_result check;
     nook_shells shells;
-    nook_truth
-        outward; /* every shell faces out of the solid, those of cavities into them; NOOK_MAYBE unless watertight
-                           and oriented, and where shells cross */
+    nook_truth outward; /* as nook_orient_shells has it; NOOK_MAYBE without a solid, or where shells cross */
     uint32_t self_intersections; /* pairs of triangles */
     uint32_t t_junctions;        /* pairs of a vertex and a border edge */
     uint32_t digest;

@@ -389,6 +389,12 @@ static void add_tetrahedron(nook_point p, nook_point q, nook_point r, nook_point
     add_shell(list, 4, 4, depth);
 }
 
+/* What is out is in here afterwards. */
+static nook_orient_shells_state asked;
+static nook_status orient_shells(nook_mesh *mesh, const nook_edit *edit, const nook_finder *finder) {
+    return nook_orient_shells(&asked, mesh, &bvh, &b.shells, edit, finder);
+}
+
 static void build_tree(void) {
     nook_view view = nook_view_of(&b.mesh);
     CHECK_EQUAL(nook_bvh_build(&bvh, &view, tree.boxes, tree.order, NULL), NOOK_OK);
@@ -439,16 +445,16 @@ static uint32_t count_wrong(bool cavities_are_known) {
 static void are_oriented(void) {
     nook_orient_shells_state state;
     uint32_t before, wrong, units = UINT32_MAX;
-    nook_where where;
     prepare();
     before = digest();
     wrong = count_wrong(false);
-    CHECK_EQUAL(nook_orient_shells(NULL, &bvh, &b.shells, NULL, &listening, &where), NOOK_OK);
-    CHECK_EQUAL(where.kind, NOOK_NOWHERE);
+    CHECK_EQUAL(orient_shells(NULL, NULL, &listening), NOOK_OK);
+    CHECK_EQUAL(asked.where.kind, NOOK_NOWHERE);
     CHECK_EQUAL(digest(), before);
     CHECK_EQUAL(heard.count[NOOK_INSIDE_OUT], wrong);
+    CHECK_EQUAL(asked.inside_out, wrong);
     CHECK_EQUAL(count_wrong(true), wrong);
-    CHECK_EQUAL(nook_orient_shells(&b.mesh, &bvh, &b.shells, NULL, NULL, NULL), NOOK_OK);
+    CHECK_EQUAL(orient_shells(&b.mesh, NULL, NULL), NOOK_OK);
     before = digest();
     CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
     CHECK_EQUAL(digest(), before); /* O is what link finds */
@@ -614,12 +620,11 @@ static void corner_to_corner_shells_are_outside_each_other(void) {
 }
 
 static void is_refused(nook_status status) {
-    nook_where where;
     uint32_t before;
     prepare();
     before = digest();
-    CHECK_EQUAL(nook_orient_shells(&b.mesh, &bvh, &b.shells, NULL, &listening, &where), status);
-    CHECK(where.kind == NOOK_AT_TRIANGLE && where.index < b.mesh.nt);
+    CHECK_EQUAL(orient_shells(&b.mesh, NULL, &listening), status);
+    CHECK(asked.where.kind == NOOK_AT_TRIANGLE && asked.where.index < b.mesh.nt);
     CHECK_EQUAL(digest(), before);
     CHECK_EQUAL(heard.count[NOOK_INSIDE_OUT], 0);
 }
@@ -674,7 +679,6 @@ static void shells_that_are_not_closed_or_not_oriented_are_refused(void) {
     static const nook_status status[] = {NOOK_BORDER_EDGE, NOOK_INCOHERENT_EDGE, NOOK_NONMANIFOLD_EDGE};
     uint32_t i;
     for (i = 0; i < 3; i++) {
-        nook_where where;
         begin_solid();
         add_box(cube_of(0, 1), 0);
         add_box(cube_of(2, 3), 0);
@@ -683,8 +687,8 @@ static void shells_that_are_not_closed_or_not_oriented_are_refused(void) {
         if (i == 2) add(8, 9, 0);
         CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
         build_tree();
-        CHECK_EQUAL(nook_orient_shells(&b.mesh, &bvh, &b.shells, NULL, NULL, &where), status[i]);
-        CHECK(where.kind == NOOK_AT_TRIANGLE && where.index == 12);
+        CHECK_EQUAL(orient_shells(&b.mesh, NULL, NULL), status[i]);
+        CHECK(asked.where.kind == NOOK_AT_TRIANGLE && asked.where.index == 12);
     }
 }
 
@@ -714,7 +718,7 @@ static void attributes_follow_the_corners_of_shells(void) {
     build_tree();
     for (c = 0; c < 72; c++) attributes[c] = (float)b.mesh.V[c];
     keep_V();
-    CHECK_EQUAL(nook_orient_shells(&b.mesh, &bvh, &b.shells, &edit, NULL, NULL), NOOK_OK);
+    CHECK_EQUAL(orient_shells(&b.mesh, &edit, NULL), NOOK_OK);
     for (c = 0; c < 72; c++) CHECK(attributes[c] == (float)b.mesh.V[c]);
     for (c = 0; c < 24; c++) CHECK_EQUAL(is_changed(c), c >= 12);
 }
@@ -751,7 +755,6 @@ static void every_slicing_turns_the_same_shells(void) {
 
 static void a_call_that_cannot_be_carried_out_says_why(void) {
     nook_orient_shells_state state;
-    nook_where where = nook_at(NOOK_AT_BYTE, 1);
     nook_bvh empty;
     memset(&empty, 0, sizeof empty);
     CHECK(sizeof state <= 256);
@@ -765,9 +768,8 @@ static void a_call_that_cannot_be_carried_out_says_why(void) {
     CHECK_EQUAL(nook_orient_shells_begin(&state, &b.mesh, &empty, &b.shells, NULL, NULL), NOOK_EMPTY_MESH);
     CHECK_EQUAL(nook_orient_shells_begin(&state, &b.mesh, &bvh, NULL, NULL, NULL), NOOK_NULL_ARGUMENT);
     b.shells.component = NULL;
-    CHECK_EQUAL(nook_orient_shells(&b.mesh, &bvh, &b.shells, NULL, NULL, &where), NOOK_NULL_ARGUMENT);
-    CHECK_EQUAL(nook_orient_shells(&b.mesh, &bvh, &b.shells, NULL, NULL, NULL), NOOK_NULL_ARGUMENT);
-    CHECK_EQUAL(where.kind, NOOK_NOWHERE);
+    CHECK_EQUAL(orient_shells(&b.mesh, NULL, NULL), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(asked.where.kind, NOOK_NOWHERE);
     b.shells.component = b.component;
     b.mesh.nt--;
     CHECK_EQUAL(nook_orient_shells_begin(&state, &b.mesh, &bvh, &b.shells, NULL, NULL), NOOK_NO_CAPACITY);
@@ -775,13 +777,12 @@ static void a_call_that_cannot_be_carried_out_says_why(void) {
     CHECK_EQUAL(nook_orient_shells_begin(&state, &b.mesh, &bvh, &b.shells, NULL, NULL), NOOK_NO_CAPACITY);
     b.mesh.nv++;
     b.shells.count = 1;
-    CHECK_EQUAL(nook_orient_shells(&b.mesh, &bvh, &b.shells, NULL, NULL, &where), NOOK_NO_CAPACITY);
-    CHECK(where.kind == NOOK_AT_TRIANGLE && where.index == 12);
+    CHECK_EQUAL(orient_shells(&b.mesh, NULL, NULL), NOOK_NO_CAPACITY);
+    CHECK(asked.where.kind == NOOK_AT_TRIANGLE && asked.where.index == 12);
 }
 
 static void tables_that_do_not_hold_are_refused(void) {
     nook_orient_shells_state state;
-    nook_where where;
     uint32_t i, units;
     for (i = 0; i < 5; i++) {
         bool asks = i > 1;
@@ -799,12 +800,9 @@ static void tables_that_do_not_hold_are_refused(void) {
         if (i == 2) b.mesh.G[0].y = nook_float_from(0x7FC00000u);
         if (i == 3) b.mesh.G[0].y = 0x1p31f;
         if (i == 4) b.mesh.V[20] = nook_store(b.mesh.nv);
-        CHECK_EQUAL(nook_orient_shells(asks ? NULL : &b.mesh, &bvh, &b.shells, NULL, NULL, &where),
-                    i == 1 ? NOOK_BAD_OPPOSITE : status);
-        CHECK_EQUAL(where.kind, NOOK_AT_TRIANGLE);
-        if (i == 1)
-            CHECK_EQUAL(nook_orient_shells(NULL, &bvh, &b.shells, NULL, NULL, &where),
-                        NOOK_INDEX_OUT_OF_RANGE);
+        CHECK_EQUAL(orient_shells(asks ? NULL : &b.mesh, NULL, NULL), i == 1 ? NOOK_BAD_OPPOSITE : status);
+        CHECK_EQUAL(asked.where.kind, NOOK_AT_TRIANGLE);
+        if (i == 1) CHECK_EQUAL(orient_shells(NULL, NULL, NULL), NOOK_INDEX_OUT_OF_RANGE);
         units = UINT32_MAX;
         CHECK_EQUAL(nook_orient_shells_begin(&state, asks ? NULL : &b.mesh, &bvh, &b.shells, NULL, NULL),
                     NOOK_OK);

@@ -314,10 +314,10 @@ nook_status nook_orient_shells_begin(nook_orient_shells_state *s, nook_mesh *mes
                                      nook_shells *shells, const nook_edit *edit, const nook_finder *finder) {
     nook_status status = nook_bvh_status(bvh);
     if (s == NULL || shells == NULL) return NOOK_NULL_ARGUMENT;
+    memset(s, 0, sizeof *s);
     if (status == NOOK_OK) status = nook_shells_status(shells, bvh->view.nt);
     if (status != NOOK_OK) return status;
     if (mesh != NULL && (mesh->nt != bvh->view.nt || mesh->nv != bvh->view.nv)) return NOOK_NO_CAPACITY;
-    memset(s, 0, sizeof *s);
     s->mesh = mesh;
     s->bvh = bvh;
     s->shells = shells;
@@ -326,17 +326,14 @@ nook_status nook_orient_shells_begin(nook_orient_shells_state *s, nook_mesh *mes
     return NOOK_OK;
 }
 
-nook_status nook_orient_shells(nook_mesh *mesh, const nook_bvh *bvh, nook_shells *shells,
-                               const nook_edit *edit, const nook_finder *finder, nook_where *where) {
-    nook_orient_shells_state state;
+nook_status nook_orient_shells(nook_orient_shells_state *state, nook_mesh *mesh, const nook_bvh *bvh,
+                               nook_shells *shells, const nook_edit *edit, const nook_finder *finder) {
     uint32_t units;
-    nook_status status = nook_orient_shells_begin(&state, mesh, bvh, shells, edit, finder);
-    if (where != NULL) *where = nook_at(NOOK_NOWHERE, 0);
+    nook_status status = nook_orient_shells_begin(state, mesh, bvh, shells, edit, finder);
     if (status != NOOK_OK) return status;
     do {
         units = 64; /* any number gives the same */
-        status = nook_orient_shells_step(&state, &units);
+        status = nook_orient_shells_step(state, &units);
     } while (status == NOOK_MORE);
-    if (where != NULL) *where = state.where;
     return status;
 }

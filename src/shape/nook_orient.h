@@ -100,8 +100,8 @@ typedef struct nook_orient_shells_state {
 nook_status nook_orient_shells_begin(nook_orient_shells_state *state, nook_mesh *mesh, const nook_bvh *bvh,
                                      nook_shells *shells, const nook_edit *edit, const nook_finder *finder);
 nook_status nook_orient_shells_step(nook_orient_shells_state *state, uint32_t *units);
-/* where may be null. */
-nook_status nook_orient_shells(nook_mesh *mesh, const nook_bvh *bvh, nook_shells *shells,
-                               const nook_edit *edit, const nook_finder *finder, nook_where *where);
+/* Both in a loop; what is out stays in *state. */
+nook_status nook_orient_shells(nook_orient_shells_state *state, nook_mesh *mesh, const nook_bvh *bvh,
+                               nook_shells *shells, const nook_edit *edit, const nook_finder *finder);
 
 #endif

@@ -200,7 +200,8 @@ Answer ask_nook(const Solid &s) {
     require(nook_check(&view, &marks, &report, &shells, nullptr, &result) == NOOK_OK, "not checked");
     require(nook_bvh_build(&bvh, &view, boxes.data(), order.data(), nullptr) == NOOK_OK, "no tree");
     Answer a;
-    const nook_status status = nook_orient_shells(&mesh, &bvh, &shells, nullptr, nullptr, nullptr);
+    nook_orient_shells_state state;
+    const nook_status status = nook_orient_shells(&state, &mesh, &bvh, &shells, nullptr, nullptr);
     a.crosses = status == NOOK_SELF_INTERSECTION;
     require(a.crosses || status == NOOK_OK, "not oriented");
     for (uint32_t t = 0; t < nt && !a.crosses; t++) {

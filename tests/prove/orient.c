@@ -390,13 +390,16 @@ static void link_and_check(void) {
 }
 
 static nook_status orient_all(nook_where *where) {
+    nook_orient_shells_state state;
     nook_bvh bvh;
     nook_view view = nook_view_of(&mesh);
     nook_status status = nook_orient(&mesh, &marks, NULL, NULL, NULL);
     if (status != NOOK_OK) CHECK_EQUAL(status, NOOK_OK);
     link_and_check();
     if (nook_bvh_build(&bvh, &view, boxes, order, NULL) != NOOK_OK) CHECK(false);
-    return nook_orient_shells(&mesh, &bvh, &shells, NULL, NULL, where);
+    status = nook_orient_shells(&state, &mesh, &bvh, &shells, NULL, NULL);
+    *where = state.where;
+    return status;
 }
 
 static const nook_shell *shell_with(nook_point p) {
