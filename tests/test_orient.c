@@ -320,7 +320,8 @@ static void every_machine_orients_the_same_way(void) {
 /* ---- shells ------------------------------------------------------------------------------------------ */
 
 static nook_shell nested[MOST_NESTED];
-static NOOK_BVH_ARRAYS(MOST_T) tree;
+enum { MOST_OF_SOLID = MOST_T < 6000 ? MOST_T : 6000 };
+static NOOK_BVH_ARRAYS(MOST_OF_SOLID) tree;
 static nook_bvh bvh;
 static struct {
     nook_point at[MOST_NESTED]; /* a corner of a shell that is in no other */
@@ -397,6 +398,7 @@ static nook_status orient_shells(nook_mesh *mesh, const nook_edit *edit, const n
 
 static void build_tree(void) {
     nook_view view = nook_view_of(&b.mesh);
+    if (!CHECK(view.nt <= MOST_OF_SOLID)) return;
     CHECK_EQUAL(nook_bvh_build(&bvh, &view, tree.boxes, tree.order, NULL), NOOK_OK);
 }
 
