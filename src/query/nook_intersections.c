@@ -24,13 +24,13 @@ static inline nook_flags overlap(const nook_boxes *g, uint32_t child, uint32_t a
 static inline void visit_group(nook_descent *d, const nook_bvh *bvh, const nook_bound low[3],
                                const nook_bound high[3]) {
     const nook_boxes *g = nook_descent_boxes(d, bvh);
-    uint32_t entry[4], i;
+    uint32_t entry[4], bits = 0, i;
     for (i = 0; i < 4u; i += NOOK_LANES) {
         nook_flags some =
             overlap(g, i, 0, low, high) & overlap(g, i, 1, low, high) & overlap(g, i, 2, low, high);
-        nook_set_entries(entry, i, some, nook_lanes_of(0));
+        bits |= nook_set_entries(entry, i, some, nook_lanes_of(0));
     }
-    nook_descent_push(d, entry);
+    nook_descent_push(d, bvh->view.nt, bits, entry);
 }
 
 /* ---- pairs ---------------------------------------------------------------------------------------- */
