@@ -92,6 +92,7 @@ static nook_status answer_point(const asker *a, const question *q) {
 static nook_status answer_ray(const asker *a, const question *q) {
     nook_ray ray;
     uint32_t units = a->budget;
+    float w[3];
     bool hit;
     nook_point normal;
     nook_status status = nook_ray_begin(&ray, &a->tree.bvh, q->a, q->b, NOOK_MAX_T, NOOK_NEAREST);
@@ -108,7 +109,8 @@ static nook_status answer_ray(const asker *a, const question *q) {
     if (!hit) return NOOK_OK;
     normal = nook_ray_normal(&ray);
     put_point(stdout, "normal", normal.x != 0 || normal.y != 0 || normal.z != 0, normal);
-    put_floats(stdout, "barycentric", true, ray.w, 3);
+    nook_ray_weights(&ray, w);
+    put_floats(stdout, "barycentric", true, w, 3);
     return NOOK_OK;
 }
 

@@ -476,6 +476,7 @@ static void in_one_place_everything_is_found(void) {
     nook_closest c;
     nook_ray ray;
     nook_inside in;
+    float w[3];
     int side;
     uint32_t nt;
     dice d = {29};
@@ -487,7 +488,8 @@ static void in_one_place_everything_is_found(void) {
         CHECK_EQUAL(
             nook_ray_cast(&ray, &m.bvh, nook_make(1, 2, 0), nook_make(0, 0, 2), NOOK_MAX_T, NOOK_NEAREST),
             NOOK_OK);
-        CHECK(ray.triangle == 0 && ray.t == 1.5f && ray.w[0] + ray.w[1] + ray.w[2] == 1);
+        nook_ray_weights(&ray, w);
+        CHECK(ray.triangle == 0 && ray.t == 1.5f && w[0] + w[1] + w[2] == 1);
         CHECK_EQUAL(nook_ray_cast(&ray, &m.bvh, nook_make(1, 2, 0), nook_make(1e-30f, 0, 2), NOOK_MAX_T,
                                   NOOK_NEAREST),
                     NOOK_OK);
@@ -665,10 +667,12 @@ static void weights_are_weights_where_rounding_leaves_nothing_to_tell_them_by(vo
     one_triangle(nook_make(-1e-40f, 0, -1e-40f), nook_make(1e-40f, 0, -1e-40f), nook_make(0, 0, 1e-40f));
     for (y = 0x1p28f; y < 0x1p29f; y += 0x1.4p24f + 32) {
         nook_ray ray = ask_ray(&m.bvh, nook_make(0, -y, 0), nook_make(0, 7, 0), NOOK_NEAREST);
-        float sum = ray.w[0] + ray.w[1] + ray.w[2], off = ray.t * 7 - y;
+        float w[3], sum, off = ray.t * 7 - y;
+        nook_ray_weights(&ray, w);
+        sum = w[0] + w[1] + w[2];
         CHECK_EQUAL(ray.triangle, 0);
         CHECK(off <= 32 && off >= -32);
-        CHECK(ray.w[0] >= 0 && ray.w[1] >= 0 && ray.w[2] >= 0 && sum > 0.999999f && sum < 1.000001f);
+        CHECK(w[0] >= 0 && w[1] >= 0 && w[2] >= 0 && sum > 0.999999f && sum < 1.000001f);
         inexact += ray.t * 7 != y;
     }
     CHECK(inexact > 0);

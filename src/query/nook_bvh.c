@@ -456,12 +456,13 @@ void nook_bvh_widen(nook_bvh *bvh, nook_boxes *boxes, uint32_t t, const nook_poi
 
 /* ---- descent -------------------------------------------------------------------------------------- */
 
-float nook_descent_least(const nook_descent *d, float bound) {
-    uint32_t least = d->now, i;
+float nook_descent_least(const nook_descent *d, const nook_bvh *bvh, float bound) {
+    uint32_t most = d->now, level = d->level;
     float found;
-    for (i = 0; i < d->entries; i++) {
-        if (d->entry[i] < least) least = d->entry[i];
+    for (level += d->now != NOOK_UP; level <= bvh->levels; level++) {
+        uint32_t entry = d->rest[level][0] & 0xFFFFu;
+        if (entry > most) most = entry;
     }
-    found = nook_float_from(least >> 2 << 17);
+    found = nook_float_from((0xFFFFu - most) >> 2 << 17);
     return found < bound ? found : bound;
 }

@@ -6,7 +6,7 @@
 
 /* ---- boxes ---------------------------------------------------------------------------------------- */
 
-static void set_axis(nook_closest *q, uint32_t axis) {
+static inline void set_axis(nook_closest *q, uint32_t axis) {
     float a = nook_along(&q->a, axis), b = nook_along(&q->b, axis), slack, more;
     float low = nook_in_cells(q->bvh, a < b ? a : b, axis, &slack);
     float high = nook_in_cells(q->bvh, a < b ? b : a, axis, &more);
@@ -37,121 +37,152 @@ static nook_lanes off_line(const nook_closest *q, const nook_boxes *g, uint32_t 
     return nook_magnitude(centre - nook_lanes_of(at)) - half - nook_lanes_of(slack);
 }
 
-/* How far the box of the segment is from some boxes along an axis. */
-static inline nook_lanes apart(const nook_closest *q, const nook_boxes *g, uint32_t child, uint32_t axis) {
-    nook_lanes above = nook_load(&g->low[axis][child]) - nook_lanes_of(nook_along(&q->high, axis));
-    nook_lanes below = nook_lanes_of(nook_along(&q->low, axis)) - nook_load(&g->high[axis][child]);
-    return nook_larger(nook_larger(above, below), nook_lanes_of(0)) *
-           nook_lanes_of(nook_along(&q->width, axis));
+static nook_lanes off_lines(const nook_closest *q, const nook_boxes *g, uint32_t child, nook_lanes square) {
+    uint32_t axis;
+    for (axis = 0; axis < 3u; axis++) {
+        nook_lanes off = nook_larger(off_line(q, g, child, axis), nook_lanes_of(0));
+        square = nook_larger(square, off * off);
+    }
+    return square;
 }
 
-static inline void visit_group(nook_closest *q) {
-    const nook_boxes *group = nook_descent_boxes(&q->descent, q->bvh);
-    uint32_t entry[4], axis, i;
+/* How far the box of the segment is from some boxes along an axis. */
+NOOK_WIDE nook_lanes apart(const nook_bound *from, const nook_bound *to, nook_lanes low, nook_lanes high,
+                           nook_lanes width) {
+    nook_lanes off = nook_larger(nook_load(from) - high, low - nook_load(to));
+    return nook_larger(off, nook_lanes_of(0)) * width;
+}
+
+/* What groups are held against: the box of the segment, and the width of a cell. */
+typedef struct around {
+    nook_vectors low, high, width;
+} around;
+
+static inline void visit_group(nook_closest *q, const around *s) {
+    const nook_boxes *g = nook_descent_boxes(&q->descent, q->bvh);
+    uint32_t entry[4], bits = 0, i;
     for (i = 0; i < 4u; i += NOOK_LANES) {
-        nook_lanes x = apart(q, group, i, 0), y = apart(q, group, i, 1), z = apart(q, group, i, 2);
-        nook_lanes square = x * x + y * y + z * z;
-        for (axis = 0; axis < 3u && q->is_segment; axis++) {
-            nook_lanes off = nook_larger(off_line(q, group, i, axis), nook_lanes_of(0));
-            square = nook_larger(square, off * off);
-        }
+        nook_lanes x = apart(g->low[0] + i, g->high[0] + i, s->low.x, s->high.x, s->width.x), y, z, square;
+        y = apart(g->low[1] + i, g->high[1] + i, s->low.y, s->high.y, s->width.y);
+        z = apart(g->low[2] + i, g->high[2] + i, s->low.z, s->high.z, s->width.z);
+        square = x * x + y * y + z * z;
+        if (q->is_segment) square = off_lines(q, g, i, square);
         square = square * nook_lanes_of(1.0f - 0x1p-18f);
-        nook_set_entries(entry, i, square <= nook_lanes_of(q->reach), square);
+        bits |= nook_set_entries(entry, i, square <= nook_lanes_of(q->reach), square);
     }
-    nook_descent_push(&q->descent, entry);
+    nook_descent_push(&q->descent, q->bvh->places, bits, entry);
 }
 
 /* ---- triangles ------------------------------------------------------------------------------------ */
 
-/* A pair of nearest points, seen from the beginning of the segment. */
+/* Pairs of nearest points of some triangles and the segment, seen from its beginning. */
 typedef struct nearest {
-    nook_point point;
-    float at, square;
-    bool crosses; /* exactly */
+    nook_vectors point;
+    nook_lanes at, square;
 } nearest;
 
-static nook_point along(nook_point a, nook_point d, float t) {
-    return nook_make(a.x + t * d.x, a.y + t * d.y, a.z + t * d.z);
+NOOK_WIDE nook_vectors along(nook_vectors a, nook_vectors d, nook_lanes t) {
+    nook_vectors p = {a.x + t * d.x, a.y + t * d.y, a.z + t * d.z};
+    return p;
 }
 
-static float clamp(float t) { return t > 0 ? t < 1.0f ? t : 1.0f : 0; }
+NOOK_WIDE nook_lanes clamp(nook_lanes t) {
+    return nook_smaller(nook_larger(t, nook_lanes_of(0)), nook_lanes_of(1.0f));
+}
 
-static void consider(nearest *n, nook_point point, nook_point on, float at) {
-    nook_point d = nook_sub(point, on);
-    float square = nook_dot(d, d);
-    if (square >= n->square) return;
-    n->point = point;
-    n->at = at;
-    n->square = square;
+NOOK_WIDE void keep_nearer(nearest *n, nook_vectors point, nook_lanes at, nook_lanes square) {
+    nook_flags nearer = square < n->square;
+    n->point = nook_vectors_choose(nearer, point, n->point);
+    n->at = nook_choose(nearer, at, n->at);
+    n->square = nook_smaller(square, n->square);
 }
 
 /* The point of the segment a b nearest to x; the ends as they are. */
-static nook_point on_segment(nook_point a, nook_point b, nook_point x) {
-    nook_point d = nook_sub(b, a);
-    float t = clamp(nook_dot(nook_sub(x, a), d) / nook_dot(d, d)); /* no number: a point */
-    return t < 1.0f ? along(a, d, t) : b;
+NOOK_WIDE nook_vectors on_segment(nook_vectors a, nook_vectors b, nook_vectors x) {
+    nook_vectors d = nook_vectors_sub(b, a);
+    nook_lanes t = nook_vectors_dot(nook_vectors_sub(x, a), d) / nook_vectors_dot(d, d);
+    t = clamp(t); /* no number: a point */
+    return nook_vectors_choose(t < nook_lanes_of(1.0f), along(a, d, t), b);
 }
 
-/* The nearest point of a triangle to x, which is at of the segment: on an edge, or the foot of x. The foot is sought from
+/* That nearest to 0, of edge a b. */
+NOOK_WIDE void keep_edge(nearest *n, nook_vectors a, nook_vectors b, nook_lanes at) {
+    nook_vectors p = on_segment(a, b, nook_vectors_of(nook_make(0, 0, 0)));
+    keep_nearer(n, p, at, nook_vectors_dot(p, p));
+}
+
+NOOK_WIDE nook_flags is_left(nook_vectors a, nook_vectors b, nook_vectors normal) {
+    return nook_vectors_dot(nook_vectors_cross(a, b), normal) > nook_lanes_of(0);
+}
+
+/* The nearest points of triangles to x, which is at of the segment: on an edge, or the foot of x. The foot is sought from
  * the nearest edge: the normal of a thin triangle is uncertain, but not so much as to matter across its width. */
-static void consider_triangle(nearest *n, const nook_point p[3], nook_point x, float at) {
-    nook_point a = nook_sub(p[0], x), b = nook_sub(p[1], x), c = nook_sub(p[2], x), normal;
-    nook_point zero = nook_make(0, 0, 0), foot;
-    nearest edge = {a, 0, nook_dot(a, a), false};
-    consider(&edge, on_segment(a, b, zero), zero, 0);
-    consider(&edge, on_segment(b, c, zero), zero, 0);
-    consider(&edge, on_segment(c, a, zero), zero, 0);
-    normal = nook_cross(nook_sub(b, a), nook_sub(c, a));
-    foot = edge.point;
-    if (nook_dot(nook_cross(a, b), normal) > 0 && nook_dot(nook_cross(b, c), normal) > 0 &&
-        nook_dot(nook_cross(c, a), normal) > 0) {
-        foot = nook_scaled(normal, nook_dot(foot, normal) / nook_dot(normal, normal));
-        consider(&edge, foot, zero, 0);
+NOOK_WIDE void consider_triangles(nearest *n, const nook_vectors p[3], nook_vectors x, nook_lanes at) {
+    nook_vectors a = nook_vectors_sub(p[0], x), b = nook_vectors_sub(p[1], x), c = nook_vectors_sub(p[2], x);
+    nook_vectors normal = nook_vectors_cross(nook_vectors_sub(b, a), nook_vectors_sub(c, a));
+    nearest e = {a, at, nook_vectors_dot(a, a)};
+    nook_flags inside = is_left(a, b, normal);
+    keep_edge(&e, a, b, at);
+    keep_edge(&e, b, c, at);
+    keep_edge(&e, c, a, at);
+    if (nook_any_flag(inside)) inside = inside & is_left(b, c, normal);
+    if (nook_any_flag(inside)) inside = inside & is_left(c, a, normal);
+    if (nook_any_flag(inside)) {
+        nook_lanes t = nook_vectors_dot(e.point, normal) / nook_vectors_dot(normal, normal);
+        nook_vectors foot = {t * normal.x, t * normal.y, t * normal.z};
+        keep_nearer(&e, foot, at, nook_choose(inside, nook_vectors_dot(foot, foot), e.square));
     }
-    if (edge.square >= n->square) return;
-    n->point = nook_make(x.x + edge.point.x, x.y + edge.point.y, x.z + edge.point.z);
-    n->at = at;
-    n->square = edge.square;
+    keep_nearer(n, along(x, e.point, nook_lanes_of(1.0f)), at, e.square);
 }
 
 /* The nearest points of two segments, 0 d and a b, where they are between the ends; the nearest to an end is found from
  * there. By cross products: dot products lose twice as many bits where they are nearly parallel. */
-static void consider_edge(nearest *n, nook_point d, nook_point a, nook_point b) {
-    nook_point e = nook_sub(b, a), normal = nook_cross(d, e), point;
-    float s = clamp(nook_dot(nook_cross(a, e), normal) / nook_dot(normal, normal));
-    point = on_segment(a, b, nook_scaled(d, s));
-    s = clamp(nook_dot(point, d) / nook_dot(d, d));
-    consider(n, point, nook_scaled(d, s), s);
+NOOK_WIDE void consider_edges(nearest *n, nook_vectors d, nook_vectors a, nook_vectors b) {
+    nook_vectors e = nook_vectors_sub(b, a), normal = nook_vectors_cross(d, e),
+                 zero = nook_vectors_of(nook_make(0, 0, 0)), point, off;
+    nook_lanes s =
+        clamp(nook_vectors_dot(nook_vectors_cross(a, e), normal) / nook_vectors_dot(normal, normal));
+    point = on_segment(a, b, along(zero, d, s));
+    s = clamp(nook_vectors_dot(point, d) / nook_vectors_dot(d, d));
+    off = nook_vectors_sub(point, along(zero, d, s));
+    keep_nearer(n, point, s, nook_vectors_dot(off, off));
 }
 
-/* From both ends, from where it comes through the plane, and along each edge. */
-NOOK_APART static void consider_segment(nearest *n, nook_point d, const nook_point p[3]) {
-    nook_point normal = nook_cross(nook_sub(p[1], p[0]), nook_sub(p[2], p[0]));
-    float s = clamp(nook_dot(p[0], normal) / nook_dot(d, normal));
-    consider_triangle(n, p, d, 1);
-    consider_triangle(n, p, nook_scaled(d, s), s);
-    consider_edge(n, d, p[0], p[1]);
-    consider_edge(n, d, p[1], p[2]);
-    consider_edge(n, d, p[2], p[0]);
+/* From both ends of the segment, from where it comes through the plane, and along each edge. */
+NOOK_APART static void consider_segment(nearest *n, const nook_closest *q, const nook_vectors p[3]) {
+    nook_vectors normal = nook_vectors_cross(nook_vectors_sub(p[1], p[0]), nook_vectors_sub(p[2], p[0])),
+                 zero = nook_vectors_of(nook_make(0, 0, 0)),
+                 d = nook_vectors_of(nook_scaled(nook_sub(q->b, q->a), q->scale));
+    nook_lanes s = nook_lanes_of(0);
+    uint32_t i;
+    for (i = 0; i < 3u; i++) {
+        consider_triangles(n, p, along(zero, d, s), s);
+        s = i == 0 ? nook_lanes_of(1.0f)
+                   : clamp(nook_vectors_dot(p[0], normal) / nook_vectors_dot(d, normal));
+    }
+    for (i = 0; i < 3u; i++) consider_edges(n, d, p[i], p[nook_after(i)]);
 }
 
 /* ---- finding -------------------------------------------------------------------------------------- */
 
-static void found(nook_closest *q, uint32_t t, const nearest *n) {
-    float far = nook_sqrt(n->square) + q->margin;
-    if (n->square > q->square || (n->square == q->square && t > q->triangle)) return;
+static void found(nook_closest *q, uint32_t t, const nearest *n, uint32_t k, bool crosses) {
+    float square = crosses ? 0 : nook_lane(n->square, k), far = nook_sqrt(square) + q->margin,
+          length = 1.0f / q->scale;
+    if (square > q->square || (square == q->square && t > q->triangle)) return;
     q->triangle = t;
-    q->square = n->square;
+    q->square = square;
     q->reach = far * far;
-    q->crosses = n->crosses;
-    q->at = n->at;
-    q->point = along(q->a, n->point, 1.0f / q->scale);
+    q->crosses = crosses;
+    q->at = nook_lane(n->at, k);
+    q->point =
+        nook_make(q->a.x + length * nook_lane(n->point.x, k), q->a.y + length * nook_lane(n->point.y, k),
+                  q->a.z + length * nook_lane(n->point.z, k));
 }
 
 /* ---- leaves --------------------------------------------------------------------------------------- */
 
 /* How far the box of the segment is from those of some triangles, squared; both from the segment's beginning. */
-static nook_lanes square_of_boxes(const nook_closest *q, const nook_vectors p[3]) {
+static inline nook_lanes square_of_boxes(const nook_closest *q, const nook_vectors p[3]) {
     nook_vectors low = nook_lowest(p), high = nook_highest(p);
     nook_point d = nook_scaled(nook_sub(q->b, q->a), q->scale), zero = nook_make(0, 0, 0);
     nook_vectors from = nook_vectors_of(nook_low(d, zero)), to = nook_vectors_of(nook_high(d, zero));
@@ -160,68 +191,47 @@ static nook_lanes square_of_boxes(const nook_closest *q, const nook_vectors p[3]
     return nook_vectors_dot(off, off);
 }
 
-#if NOOK_LANES > 1
-/* How far the edge from a to b is from 0, squared. */
-static inline nook_lanes square_of_edge(nook_vectors a, nook_vectors b) {
-    nook_vectors d = nook_vectors_sub(b, a), x;
-    nook_lanes t = -nook_vectors_dot(a, d) / nook_vectors_dot(d, d);
-    t = nook_smaller(nook_larger(t, nook_lanes_of(0)), nook_lanes_of(1.0f));
-    x.x = a.x + t * d.x, x.y = a.y + t * d.y, x.z = a.z + t * d.z;
-    return nook_vectors_dot(x, x);
+static bool is_crossed(const nook_closest *q, uint32_t t) {
+    const nook_point *const segment[3] = {&q->a, &q->b, &q->b}, *p[3];
+    nook_corners_of(q->bvh, t, p);
+    return nook_triangles_meet(segment, p);
 }
 
-/* How far some triangles are from 0, squared: that of the nearest edge, or where 0 is above the inside, of the boxes. */
-static nook_lanes square_of_triangles(const nook_vectors p[3], nook_lanes boxes) {
-    nook_vectors n = nook_vectors_cross(nook_vectors_sub(p[1], p[0]), nook_vectors_sub(p[2], p[0]));
-    nook_lanes ab = nook_vectors_dot(nook_vectors_cross(p[0], p[1]), n), square, zero = nook_lanes_of(0);
-    nook_lanes bc = nook_vectors_dot(nook_vectors_cross(p[1], p[2]), n), ca;
-    ca = nook_vectors_dot(nook_vectors_cross(p[2], p[0]), n);
-    square = nook_smaller(square_of_edge(p[0], p[1]), square_of_edge(p[1], p[2]));
-    square = nook_smaller(square, square_of_edge(p[2], p[0]));
-    square = nook_if(nook_not((ab > zero) & (bc > zero) & (ca > zero)), square);
-    return nook_larger(square, boxes);
-}
-#endif
-
-/* A distance that some triangles are not nearer than, squared. */
-static inline nook_lanes least_square(const nook_closest *q, const nook_some *x) {
-    nook_vectors p[3], a = nook_vectors_of(q->a);
-    nook_lanes square;
+/* Some triangles, from a place on: which, and how near; crossed, those that the segment may go through. */
+NOOK_APART static bool measure(const nook_closest *q, uint32_t place, uint32_t t[NOOK_LANES], nearest *n,
+                               uint32_t *crossed) {
+    nook_vectors p[3], a = nook_vectors_of(q->a), zero = nook_vectors_of(nook_make(0, 0, 0));
+    nook_lanes boxes = zero.x;
     uint32_t i;
-    for (i = 0; i < 3u; i++) p[i] = nook_vectors_scaled(nook_vectors_sub(x->p[i], a), q->scale);
-    square = square_of_boxes(q, p);
-#if NOOK_LANES > 1
-    if (!q->is_segment) square = square_of_triangles(p, square);
-#endif
-    return square;
-}
-
-static void look_at(nook_closest *q, uint32_t t, const nook_point *const at[3]) {
-    const nook_point *const segment[3] = {&q->a, &q->b, &q->b};
-    nook_point p[3];
-    nearest n = {{0, 0, 0}, 0, 0x1p127f, false};
-    uint32_t i;
-    for (i = 0; i < 3u; i++) p[i] = nook_scaled(nook_sub(*at[i], q->a), q->scale);
-    consider_triangle(&n, p, nook_make(0, 0, 0), 0);
+    nook_some x;
+    n->at = boxes, n->square = nook_lanes_of(0x1p127f);
+    *crossed = 0;
+    if (!nook_gather(q->bvh, place, &x)) return false;
+    for (i = 0; i < 3u; i++) p[i] = nook_vectors_scaled(nook_vectors_sub(x.p[i], a), q->scale);
+    n->point = p[0];
+    memcpy(t, x.t, sizeof x.t);
+    if (NOOK_LANES == 1 || q->is_segment)
+        boxes = square_of_boxes(q, p); /* else no cheaper than the triangles */
+    if (!nook_any_flag(boxes <= nook_lanes_of(q->reach))) return true;
     if (q->is_segment) {
-        consider_segment(&n, nook_scaled(nook_sub(q->b, q->a), q->scale), p);
-        n.crosses = nook_triangles_meet(segment, at);
-        if (n.crosses) n.square = 0;
+        consider_segment(n, q, p);
+        *crossed = nook_bits(boxes <= zero.x);
+    } else {
+        consider_triangles(n, p, zero, n->at);
     }
-    found(q, t, &n);
+    return true;
 }
 
 static bool visit_leaf(nook_closest *q) {
     uint32_t place = 4u * q->descent.node, end = place + 4u, nt = q->bvh->view.nt, k;
     for (; place < end && place < nt; place += NOOK_LANES) {
-        float least[NOOK_LANES];
-        nook_lanes square;
-        nook_some x;
-        if (!nook_gather(q->bvh, place, &x)) return false;
-        square = least_square(q, &x);
-        memcpy(least, &square, sizeof least);
-        for (k = 0; k < NOOK_LANES && place + k < nt; k++) {
-            if (least[k] <= q->reach) look_at(q, x.t[k], x.at[k]);
+        uint32_t t[NOOK_LANES], nearer, crossed;
+        nearest n;
+        if (!measure(q, place, t, &n, &crossed)) return false;
+        nearer = nook_bits(n.square <= nook_lanes_of(q->square)) | crossed;
+        for (k = 0; nearer >> k != 0; k++) {
+            bool crosses = (crossed >> k & 1u) != 0 && is_crossed(q, t[k]);
+            if ((nearer >> k & 1u) != 0) found(q, t[k], &n, k, crosses);
         }
     }
     nook_descent_leave(&q->descent);
@@ -244,16 +254,16 @@ static void set_scale(nook_closest *q) {
 static void begin_anywhere(nook_closest *q) {
     uint32_t t = nook_triangle_at(q->bvh, 0);
     const nook_point *at[3];
-    nearest n = {{0, 0, 0}, 0, 0, false};
+    nearest n;
     if (!nook_points_of(q->bvh, t, at)) return;
-    n.point = nook_scaled(nook_sub(*at[0], q->a), q->scale);
-    n.square = nook_dot(n.point, n.point);
-    q->distance_max = (nook_sqrt(n.square) + q->margin) / q->scale;
-    found(q, t, &n);
+    n.point = nook_vectors_of(nook_scaled(nook_sub(*at[0], q->a), q->scale));
+    n.at = nook_lanes_of(0), n.square = nook_vectors_dot(n.point, n.point);
+    q->distance_max = (nook_sqrt(nook_lane(n.square, 0)) + q->margin) / q->scale;
+    found(q, t, &n, 0, false);
 }
 
 static nook_status conclude(nook_closest *q, nook_status status) {
-    float pending = nook_sqrt(nook_descent_least(&q->descent, 0x1p127f)) * (1.0f - 0x1p-20f);
+    float pending = nook_sqrt(nook_descent_least(&q->descent, q->bvh, 0x1p127f)) * (1.0f - 0x1p-20f);
     float distance = nook_sqrt(q->square), length = 1.0f / q->scale;
     float margin = q->crosses ? 0 : q->margin, known = distance > margin ? distance - margin : 0;
     q->distance = distance * length;
@@ -264,7 +274,6 @@ static nook_status conclude(nook_closest *q, nook_status status) {
 
 nook_status nook_closest_begin(nook_closest *q, const nook_bvh *bvh, nook_point a, nook_point b, float limit,
                                float enough) {
-    uint32_t axis;
     nook_status status = nook_bvh_status(bvh);
     if (q == NULL) return NOOK_NULL_ARGUMENT;
     if (status != NOOK_OK) return status;
@@ -279,7 +288,7 @@ nook_status nook_closest_begin(nook_closest *q, const nook_bvh *bvh, nook_point 
     q->is_segment = a.x != b.x || a.y != b.y || a.z != b.z;
     q->enough = enough;
     set_scale(q);
-    for (axis = 0; axis < 3u; axis++) set_axis(q, axis);
+    set_axis(q, 0), set_axis(q, 1), set_axis(q, 2);
     limit = (limit < NOOK_FAR ? limit : NOOK_FAR) * q->scale; /* nothing is farther */
     q->square = limit * limit;
     q->reach = (limit + q->margin) * (limit + q->margin);
@@ -289,13 +298,14 @@ nook_status nook_closest_begin(nook_closest *q, const nook_bvh *bvh, nook_point 
 }
 
 nook_status nook_closest_step(nook_closest *q, uint32_t *units) {
+    const around s = {nook_vectors_of(q->low), nook_vectors_of(q->high), nook_vectors_of(q->width)};
     nook_descent *d = &q->descent;
-    while (nook_descent_next(d, q->bvh->places, nook_entry(q->reach, 3))) {
+    while (nook_descent_next(d, q->bvh->places, nook_limit(q->reach))) {
         if (q->enough > 0 && q->distance_max <= q->enough) break;
         if (*units == 0) return conclude(q, NOOK_MORE);
         --*units;
         if (d->level != 0) {
-            visit_group(q);
+            visit_group(q, &s);
         } else if (visit_leaf(q)) {
             if (q->enough > 0) (void)conclude(q, NOOK_OK);
         } else {
@@ -306,11 +316,7 @@ nook_status nook_closest_step(nook_closest *q, uint32_t *units) {
 }
 
 nook_status nook_closest_point(nook_closest *q, const nook_bvh *bvh, nook_point point) {
+    uint32_t units = UINT32_MAX; /* more than a tree has nodes */
     nook_status status = nook_closest_begin(q, bvh, point, point, NOOK_FAR, 0);
-    if (status != NOOK_OK) return status;
-    do {
-        uint32_t units = 16;
-        status = nook_closest_step(q, &units);
-    } while (status == NOOK_MORE);
-    return status;
+    return status == NOOK_OK ? nook_closest_step(q, &units) : status;
 }

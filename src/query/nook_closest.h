@@ -43,8 +43,8 @@ typedef struct nook_closest {
  * Of triangles whose squared distances are the same float, the one of the lowest number, if enough is 0. */
 nook_status nook_closest_begin(nook_closest *closest, const nook_bvh *bvh, nook_point a, nook_point b,
                                float limit, float enough);
-/* Statuses as of nook_ray_step. Steps: 1 a node; about 2 log4(nt) + 10, at most nt / 3 + 10. One unit is at most 3,000 instructions on M4F
- * and 95,000 on M0 for a point, 35,000 and 441,000 for a segment. */
+/* Statuses as of nook_ray_step. Steps: 1 a node; about 2 log4(nt) + 10, at most nt / 3 + 10. One unit is at most 2,700 instructions on M4F
+ * and 86,000 on M0 for a point, 35,000 and 441,000 for a segment. */
 nook_status nook_closest_step(nook_closest *closest, uint32_t *units);
 nook_status nook_closest_point(nook_closest *closest, const nook_bvh *bvh, nook_point point);
 

@@ -2,62 +2,74 @@
  *
  * A level above the leaves has ((places - 1) >> (2 level + 2)) + 1 groups, numbered from 0; level 1 stands first in boxes[],
  * the root last. Child k of group i is 4 i + k, one level down; on level 0 that is a leaf, the triangles at places 4 i
- * to 4 i + 3. So the way back up needs no memory but which children are still to be looked at: an entry of 16 bits
- * each, that is 14 bits of a float, the least that the question can find there, and the child. */
+ * to 4 i + 3. So the way back up needs no memory but which children of each group are still to be looked at: an entry of 16
+ * bits each, that is 14 bits of a float, the least that the question can find there, and the child; the less, the larger. */
 #ifndef NOOK_DESCENT_H
 #define NOOK_DESCENT_H
 
 #include "query/nook_bvh.h"
 
 #define NOOK_BVH_LEVELS (NOOK_INDEX_BITS == 16 ? 7 : 14)
-#define NOOK_UP 0xFFFFu /* the entry below those of one group */
+#define NOOK_UP 0u /* no entry */
 
 typedef struct nook_descent {
-    uint32_t node;          /* a group, or at level 0 a leaf */
-    uint32_t base;          /* where the groups of its level begin */
-    uint8_t level, entries; /* the latter, not yet looked at */
-    uint16_t now;           /* the entry of the node, until it has been looked at; then NOOK_UP */
-    uint16_t entry[4 * NOOK_BVH_LEVELS + 2];
+    uint32_t node; /* a group, or at level 0 a leaf */
+    uint32_t base; /* where the groups of its level begin */
+    uint16_t level;
+    uint16_t now; /* the entry of the node, until it has been looked at; then NOOK_UP */
+    /* Of the groups from this one up, by level: four entries, the largest in the lowest bits; those left, then NOOK_UP. */
+    uint32_t rest[NOOK_BVH_LEVELS + 1][2];
 } nook_descent;
 
 static inline uint32_t nook_groups_of_level(uint32_t places, uint32_t level) {
     return ((places - 1u) >> (2u * level + 2u)) + 1u;
 }
 
-/* A child worth looking at and the least that can be found there, which is not negative, rounded down. Entries compare as
- * the floats do; none that holds less than bound is above nook_entry(bound, 3). */
+/* A child worth looking at and the least that can be found there, which is not negative, rounded down. */
 static inline uint32_t nook_entry(float least, uint32_t child) {
-    return nook_float_bits(least) >> 17 << 2 | child;
+    return 0xFFFFu - (nook_float_bits(least) >> 17 << 2 | child);
 }
 
-/* Above the root, which is still to be looked at. */
+/* The entry of a child that can hold bound or less is above this; no number bounds nothing. */
+static inline uint32_t nook_limit(float bound) {
+    uint32_t least = nook_float_bits(bound) << 1 >> 18;
+    return least < 0x3FFFu ? 0xFFFBu - 4u * least : 0;
+}
+
+/* At the root, which is still to be looked at. */
 static inline void nook_descent_begin(nook_descent *d, const nook_bvh *bvh) {
     d->node = 0;
-    d->base = bvh->root + 1u;
-    d->level = (uint8_t)(bvh->levels + 1u);
-    d->entry[0] = 0;
-    d->entries = 1;
-    d->now = NOOK_UP;
+    d->base = bvh->root;
+    d->level = (uint16_t)bvh->levels;
+    d->now = (uint16_t)nook_entry(0, 0);
 }
 
-/* On to the next node whose entry is at most limit, unless this one has not been looked at; false if there is none. */
+/* Down to a child of the group, if there is one. */
+static inline void nook_descent_down(nook_descent *d, uint32_t places, uint32_t child, uint32_t entry) {
+    uint32_t node = 4u * d->node + child;
+    if (node << 2u * d->level >= places) return; /* boxes of any bits */
+    d->node = node;
+    d->base -= nook_groups_of_level(places, --d->level);
+    d->now = (uint16_t)entry;
+}
+
+/* On to the next node whose entry is above limit, unless this one has not been looked at; false if there is none. */
 static inline bool nook_descent_next(nook_descent *d, uint32_t places, uint32_t limit) {
-    if (d->now != NOOK_UP) return true;
-    while (d->entries != 0) {
-        uint32_t entry = d->entry[--d->entries], node;
-        if (entry == NOOK_UP) {
-            d->base += nook_groups_of_level(places, d->level++);
+    while (d->now == NOOK_UP) {
+        uint32_t *rest = d->rest[d->level], first = rest[0], second = rest[1], entry = first & 0xFFFFu;
+        if (entry > limit) {
+            rest[0] = first >> 16 | second << 16;
+            rest[1] = second >> 16;
+            nook_descent_down(d, places, ~entry & 3u, entry);
+        } else { /* nor is any other of this group */
+            uint32_t groups = nook_groups_of_level(places, d->level);
+            if (groups == 1u && d->level != 0) return false; /* the root */
+            d->base += groups;
             d->node >>= 2;
-            continue;
+            d->level++;
         }
-        node = 4u * d->node + (entry & 3u);
-        if (entry > limit || node << 2u * d->level >= places) continue; /* the second: boxes of any bits */
-        d->node = node;
-        d->base -= nook_groups_of_level(places, --d->level);
-        d->now = (uint16_t)entry;
-        return true;
     }
-    return false;
+    return true;
 }
 
 /* What the node is: a group of boxes, unless it is a leaf. */
@@ -67,53 +79,30 @@ static inline const nook_boxes *nook_descent_boxes(const nook_descent *d, const 
 
 /* The node has been looked at; it is a leaf, or no child of it matters. */
 static inline void nook_descent_leave(nook_descent *d) {
-    d->entry[d->entries++] = NOOK_UP;
+    d->rest[d->level][0] = d->rest[d->level][1] = 0;
     d->now = NOOK_UP;
 }
-
-static inline void nook_sort_entries(uint32_t *a, uint32_t *b) {
-    uint32_t less = *a < *b ? *a : *b, more = *a < *b ? *b : *a;
-    *a = less;
-    *b = more;
-}
-
-/* It is a group and these of its children are to be looked at (NOOK_UP: not this one), the least first. */
-static inline void nook_descent_push(nook_descent *d, const uint32_t entry[4]) {
-    uint32_t i = entry[0], j = entry[1], k = entry[2], l = entry[3];
-    uint16_t *to = &d->entry[d->entries];
-    *to++ = NOOK_UP;
-    nook_sort_entries(&i, &j);
-    nook_sort_entries(&k, &l);
-    nook_sort_entries(&i, &k);
-    nook_sort_entries(&j, &l);
-    nook_sort_entries(&j, &k);
-    *to = (uint16_t)l, to += l != NOOK_UP;
-    *to = (uint16_t)k, to += k != NOOK_UP;
-    *to = (uint16_t)j, to += j != NOOK_UP;
-    *to = (uint16_t)i, to += i != NOOK_UP;
-    d->entries = (uint8_t)(to - d->entry);
-    d->now = NOOK_UP;
-}
-
-/* Enough has been found. */
-static inline void nook_descent_end(nook_descent *d) { d->entries = 0; }
 
 /* The least that can still be found, or bound if that is less. */
-float nook_descent_least(const nook_descent *d, float bound);
+float nook_descent_least(const nook_descent *d, const nook_bvh *bvh, float bound);
 
 /* The triangle at a place of the tree. */
 static inline uint32_t nook_triangle_at(const nook_bvh *bvh, uint32_t place) {
     return bvh->order == NULL ? place : bvh->order[place];
 }
 
-/* Its corners' points; false where order or V name nothing that there is. */
+/* The points of its corners, if they are known to be in range. */
+static inline void nook_corners_of(const nook_bvh *bvh, uint32_t t, const nook_point *p[3]) {
+    const nook_view *m = &bvh->view;
+    p[0] = &m->G[m->V[3u * t]], p[1] = &m->G[m->V[3u * t + 1u]], p[2] = &m->G[m->V[3u * t + 2u]];
+}
+
+/* The same; false where order or V name nothing that there is. */
 static inline bool nook_points_of(const nook_bvh *bvh, uint32_t t, const nook_point *p[3]) {
     const nook_view *m = &bvh->view;
-    uint32_t a, b, c;
-    if (t >= m->nt) return false;
-    a = m->V[3u * t], b = m->V[3u * t + 1u], c = m->V[3u * t + 2u];
-    if (a >= m->nv || b >= m->nv || c >= m->nv) return false;
-    p[0] = &m->G[a], p[1] = &m->G[b], p[2] = &m->G[c];
+    if (t >= m->nt || m->V[3u * t] >= m->nv) return false;
+    if (m->V[3u * t + 1u] >= m->nv || m->V[3u * t + 2u] >= m->nv) return false;
+    nook_corners_of(bvh, t, p);
     return true;
 }
 

@@ -9,16 +9,16 @@
 /* The boxes that may hold a triangle that the line crosses, or the point. */
 static inline void visit_group(nook_inside *q) {
     const nook_boxes *g = nook_descent_boxes(&q->descent, q->bvh);
-    uint32_t entry[4], u = nook_after(q->axis), v = nook_after(u), i;
-    int32_t x = (int32_t)q->cell[q->axis], y = (int32_t)q->cell[u], z = (int32_t)q->cell[v];
+    uint32_t entry[4], bits = 0, u = nook_after(q->axis), v = nook_after(u), i;
+    int32_t x = q->cell[q->axis], y = q->cell[u], z = q->cell[v];
     for (i = 0; i < 4u; i += NOOK_LANES) {
-        nook_flags some = (nook_load_cells(&g->low[u][i]) <= y) & (nook_load_cells(&g->high[u][i]) >= y) &
-                          (nook_load_cells(&g->low[v][i]) <= z) & (nook_load_cells(&g->high[v][i]) >= z);
-        some = some & (q->sign > 0 ? nook_load_cells(&g->high[q->axis][i]) >= x
-                                   : nook_load_cells(&g->low[q->axis][i]) <= x);
-        nook_set_entries(entry, i, some, nook_lanes_of(0));
+        nook_flags out = (nook_load_cells(g->low[u] + i) > y) | (nook_load_cells(g->high[u] + i) < y) |
+                         (nook_load_cells(g->low[v] + i) > z) | (nook_load_cells(g->high[v] + i) < z);
+        out = out | (q->sign > 0 ? nook_load_cells(g->high[q->axis] + i) < x
+                                 : nook_load_cells(g->low[q->axis] + i) > x);
+        bits |= nook_set_entries(entry, i, nook_not(out), nook_lanes_of(0));
     }
-    nook_descent_push(&q->descent, entry);
+    nook_descent_push(&q->descent, q->bvh->places, bits, entry);
 }
 
 /* ---- triangles ------------------------------------------------------------------------------------ */
@@ -64,21 +64,49 @@ static void look_at(nook_inside *q, uint32_t t, const nook_point *const p[3], bo
     q->winding += turn * q->sign;
 }
 
-/* Of some triangles, from a place on, those are looked at that lie about the line. */
+static inline nook_lanes along(const nook_vectors *p, uint32_t axis) { return (&p->x)[axis]; }
+
+/* Which of some triangles the line passes by for certain: one edge on its left, another on its right. */
+static inline nook_flags passed(const nook_inside *q, const nook_vectors p[3]) {
+    nook_flags left = nook_not(nook_all_flags()), right = left;
+    nook_vectors x = nook_vectors_of(q->point), a = nook_vectors_sub(p[2], x), b;
+    uint32_t u = nook_after(q->axis), v = nook_after(u), i;
+    for (i = 0; i < 3u; i++, a = b) {
+        nook_lanes one, other, margin;
+        b = nook_vectors_sub(p[i], x);
+        one = along(&a, u) * along(&b, v), other = along(&a, v) * along(&b, u);
+        margin = (nook_magnitude(one) + nook_magnitude(other)) * nook_lanes_of(0x1p-21f);
+        margin = margin + nook_lanes_of(0x1p-120f);
+        left = left | (one - other > margin);
+        right = right | (other - one > margin);
+    }
+    return left & right;
+}
+
+/* Of some triangles, from a place on, those are looked at that lie about the line and are not passed by for certain. */
 static inline bool visit_some(nook_inside *q, uint32_t place) {
-    uint32_t nt = q->bvh->view.nt, k, u = nook_after(q->axis), v = nook_after(u);
-    nook_vectors low, high, x = nook_vectors_of(q->point);
-    nook_flags below[3], above[3], level, ahead, about;
+    uint32_t nt = q->bvh->view.nt, k, axis = q->axis;
+    nook_flags about = nook_all_flags(), level = about;
     nook_some some;
     if (!nook_gather(q->bvh, place, &some)) return false;
-    low = nook_lowest(some.p), high = nook_highest(some.p);
-    below[0] = low.x <= x.x, below[1] = low.y <= x.y, below[2] = low.z <= x.z;
-    above[0] = x.x <= high.x, above[1] = x.y <= high.y, above[2] = x.z <= high.z;
-    level = below[q->axis] & above[q->axis];
-    ahead = q->sign > 0 ? above[q->axis] : below[q->axis];
-    about = below[u] & above[u] & below[v] & above[v] & ahead;
+    for (k = 0; k < 3u; k++) {
+        nook_lanes a, b, c, x;
+        nook_flags below, above;
+        axis = nook_after(axis); /* the last is that of the line */
+        a = along(&some.p[0], axis), b = along(&some.p[1], axis), c = along(&some.p[2], axis);
+        x = nook_lanes_of(nook_along(&q->point, axis));
+        below = nook_smaller(nook_smaller(a, b), c) <= x;
+        above = nook_larger(nook_larger(a, b), c) >= x;
+        level = below & above;
+        about = about & (k < 2u ? level : q->sign > 0 ? above : below);
+        if (!nook_any_flag(about)) return true;
+    }
+    if (NOOK_HAS_FPU) about = about & nook_not(passed(q, some.p));
     for (k = 0; k < NOOK_LANES && place + k < nt; k++) {
-        if (nook_flag(about, k)) look_at(q, some.t[k], some.at[k], nook_flag(level, k));
+        const nook_point *p[3];
+        if (!nook_flag(about, k)) continue;
+        nook_corners_of(q->bvh, some.t[k], p);
+        look_at(q, some.t[k], p, nook_flag(level, k));
     }
     return true;
 }
@@ -94,15 +122,19 @@ static bool visit_leaf(nook_inside *q) {
 
 /* ---- asking --------------------------------------------------------------------------------------- */
 
-/* The way out of the mesh's box with the fewest cells to cross. */
-static void set_line(nook_inside *q) {
+/* The way out of the mesh's box with the fewest cells to cross; false if the point is outside. */
+static bool set_line(nook_inside *q) {
     uint32_t axis, least = NOOK_NONE;
+    bool inside = true;
     for (axis = 0; axis < 3u; axis++) {
+        float slack, at = nook_in_cells(q->bvh, nook_along(&q->point, axis), axis, &slack);
         uint32_t cell = nook_cell(q->bvh, nook_along(&q->point, axis), axis), rest = NOOK_LAST_CELL - cell;
-        q->cell[axis] = cell;
-        if (rest < least) least = rest, q->axis = axis, q->sign = 1;
-        if (cell < least) least = cell, q->axis = axis, q->sign = -1;
+        q->cell[axis] = (nook_bound)cell;
+        if (rest < least) least = rest, q->axis = (uint8_t)axis, q->sign = 1;
+        if (cell < least) least = cell, q->axis = (uint8_t)axis, q->sign = -1;
+        if (at < 0 || at > (float)NOOK_LAST_CELL + slack) inside = false;
     }
+    return inside;
 }
 
 nook_status nook_inside_begin(nook_inside *q, const nook_bvh *bvh, nook_point point) {
@@ -111,12 +143,12 @@ nook_status nook_inside_begin(nook_inside *q, const nook_bvh *bvh, nook_point po
     if (status != NOOK_OK) return status;
     status = nook_point_status(point);
     if (status != NOOK_OK) return status;
-    memset(q, 0, sizeof *q);
+    memset(q, 0, offsetof(nook_inside, descent));
     q->on = NOOK_NONE;
     q->bvh = bvh;
     q->point = point;
-    set_line(q);
     nook_descent_begin(&q->descent, bvh);
+    if (!set_line(q)) nook_descent_leave(&q->descent);
     return NOOK_OK;
 }
 
@@ -136,13 +168,11 @@ nook_status nook_inside_step(nook_inside *q, uint32_t *units) {
 
 nook_status nook_side_of(const nook_bvh *bvh, nook_point point, int *side) {
     nook_inside inside;
+    uint32_t units = UINT32_MAX; /* more than a tree has nodes */
     nook_status status = nook_inside_begin(&inside, bvh, point);
     if (side == NULL) return NOOK_NULL_ARGUMENT;
     if (status != NOOK_OK) return status;
-    do {
-        uint32_t units = 16;
-        status = nook_inside_step(&inside, &units);
-    } while (status == NOOK_MORE);
+    status = nook_inside_step(&inside, &units);
     *side = nook_inside_side(&inside);
     return status;
 }

@@ -24,16 +24,16 @@ typedef struct nook_inside {
 
     const nook_bvh *bvh;
     nook_point point;
-    uint32_t cell[3];
-    uint32_t axis; /* 0 1 2: x y z */
-    int sign;      /* up or down that axis */
+    nook_bound cell[3];
+    uint8_t axis; /* 0 1 2: x y z */
+    int8_t sign;  /* up or down that axis */
     nook_descent descent;
 } nook_inside;
 
 /* The line goes along the axis on which the point is nearest to the side of the mesh's box.
  *   NOOK_NULL_ARGUMENT, NOOK_EMPTY_MESH (nothing was built), NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE */
 nook_status nook_inside_begin(nook_inside *inside, const nook_bvh *bvh, nook_point point);
-/* Statuses as of nook_ray_step. Steps: 1 a node, at most nt / 3 + 10. One unit is at most 1,600 instructions on M4F and 10,300 on M0
+/* Statuses as of nook_ray_step. Steps: 1 a node, at most nt / 3 + 10. One unit is at most 1,600 instructions on M4F and 9,700 on M0
  * where floats and integers decide. */
 nook_status nook_inside_step(nook_inside *inside, uint32_t *units);
 

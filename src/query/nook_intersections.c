@@ -65,20 +65,20 @@ static uint32_t still_open(const nook_several *a, uint32_t i, const nook_several
                            uint32_t some) {
     nook_several one;
     nook_spread_plane(a, i, &one);
-    some &= ~nook_bits_of(nook_is_on_one_side(&one, b, reach));
+    some &= ~nook_bits(nook_is_on_one_side(&one, b, reach));
     if (some == 0) return 0;
     nook_spread_corners(a, i, &one);
-    some &= ~nook_bits_of(nook_is_on_one_side(b, &one, reach));
+    some &= ~nook_bits(nook_is_on_one_side(b, &one, reach));
     if (some == 0) return 0;
-    some &= ~nook_bits_of(nook_is_beside(&one, b, reach));
-    return some == 0 ? 0 : some & ~nook_bits_of(nook_is_beside(b, &one, reach));
+    some &= ~nook_bits(nook_is_beside(&one, b, reach));
+    return some == 0 ? 0 : some & ~nook_bits(nook_is_beside(b, &one, reach));
 }
 
 /* Which of some pairs of triangle i of a and others may intersect. */
 static uint32_t may_meet(const nook_several *a, uint32_t i, const nook_several *b, uint32_t some) {
     nook_vectors low = nook_spread(&a->low, i), high = nook_spread(&a->high, i), most;
-    some &= nook_bits_of((b->low.x <= high.x) & (b->low.y <= high.y) & (b->low.z <= high.z) &
-                         (b->high.x >= low.x) & (b->high.y >= low.y) & (b->high.z >= low.z));
+    some &= nook_bits((b->low.x <= high.x) & (b->low.y <= high.y) & (b->low.z <= high.z) &
+                      (b->high.x >= low.x) & (b->high.y >= low.y) & (b->high.z >= low.z));
     if (some == 0) return 0;
     most = nook_vectors_sub(nook_vectors_larger(high, b->high), nook_vectors_smaller(low, b->low));
     return still_open(a, i, b, nook_larger(nook_larger(most.x, most.y), most.z), some);

@@ -2,7 +2,15 @@
 #ifndef NOOK_LANES_H
 #define NOOK_LANES_H
 
+#include "exact/nook_exact.h"
 #include "query/nook_descent.h"
+
+/* Vectors are passed in registers only where there is no call. */
+#if NOOK_LANES == 4
+#define NOOK_WIDE static inline __attribute__((always_inline))
+#else
+#define NOOK_WIDE static inline
+#endif
 
 #if NOOK_LANES == 4
 typedef float nook_lanes __attribute__((vector_size(16)));
@@ -13,20 +21,6 @@ static inline nook_lanes nook_lanes_of(float x) {
     return a;
 }
 
-static inline nook_lanes nook_larger(nook_lanes a, nook_lanes b) {
-    nook_lanes c = a;
-    uint32_t k;
-    for (k = 0; k < NOOK_LANES; k++) c[k] = a[k] > b[k] ? a[k] : b[k];
-    return c;
-}
-
-static inline nook_lanes nook_smaller(nook_lanes a, nook_lanes b) {
-    nook_lanes c = a;
-    uint32_t k;
-    for (k = 0; k < NOOK_LANES; k++) c[k] = a[k] < b[k] ? a[k] : b[k];
-    return c;
-}
-
 static inline nook_lanes nook_magnitude(nook_lanes a) { return (nook_lanes)((nook_flags)a & INT32_MAX); }
 
 /* Bounds, as integers: each between zeros. */
@@ -34,17 +28,16 @@ static inline nook_flags nook_load_cells(const nook_bound *from) {
     typedef uint16_t eight __attribute__((vector_size(16)));
     typedef uint64_t two __attribute__((vector_size(16)));
     eight zero = {0, 0, 0, 0, 0, 0, 0, 0};
+    two all = {0, 0};
 #if NOOK_BOUND_BITS == 8
     typedef uint8_t sixteen __attribute__((vector_size(16)));
     uint32_t word;
-    two all = {0, 0};
     memcpy(&word, from, sizeof word);
     all[0] = word;
     all = (two)__builtin_shufflevector((sixteen)all, (sixteen)zero, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21,
                                        6, 22, 7, 23);
 #else
     uint64_t word;
-    two all = {0, 0};
     memcpy(&word, from, sizeof word);
     all[0] = word;
 #endif
@@ -56,21 +49,31 @@ static inline nook_lanes nook_load(const nook_bound *from) {
     return __builtin_convertvector(nook_load_cells(from), nook_lanes);
 }
 
-/* The entries of the children from child on that are flagged, by the least that can be found in them. */
-static inline void nook_set_entries(uint32_t *entry, uint32_t child, nook_flags some, nook_lanes least) {
-    const nook_flags number = {0, 1, 2, 3};
-    nook_flags all = ((((nook_flags)least >> 17 << 2) | number) & some) | (~some & (int32_t)NOOK_UP);
-    memcpy(entry + child, &all, sizeof all);
+/* Bit k: whether lane k is flagged. */
+static inline uint32_t nook_bits(nook_flags flags) {
+#ifdef __SSE__
+    return (uint32_t)__builtin_ia32_movmskps((nook_lanes)flags);
+#else
+    return (uint32_t)((flags[0] & 1) | (flags[1] & 2) | (flags[2] & 4) | (flags[3] & 8));
+#endif
 }
 
-static inline bool nook_flag(nook_flags flags, uint32_t k) { return flags[k] != 0; }
+/* Entries of the children from child on that are flagged, by the least that can be found in them; bits, which they are. */
+static inline uint32_t nook_set_entries(uint32_t *entry, uint32_t child, nook_flags some, nook_lanes least) {
+    const nook_flags number = {0, 1, 2, 3};
+    nook_flags all = ~((nook_flags)least >> 17 << 2 | number) & some & 0xFFFF;
+    memcpy(entry + child, &all, sizeof all);
+    return nook_bits(some);
+}
+
 static inline nook_flags nook_not(nook_flags flags) { return ~flags; }
 /* a where flagged, else 0. */
 static inline nook_lanes nook_if(nook_flags flags, nook_lanes a) {
     return (nook_lanes)((nook_flags)a & flags);
 }
-static inline bool nook_any_flag(nook_flags flags) {
-    return (flags[0] | flags[1] | flags[2] | flags[3]) != 0;
+/* a where flagged, else b. */
+static inline nook_lanes nook_choose(nook_flags flags, nook_lanes a, nook_lanes b) {
+    return (nook_lanes)(((nook_flags)a & flags) | ((nook_flags)b & ~flags));
 }
 static inline nook_flags nook_all_flags(void) {
     nook_flags all = {-1, -1, -1, -1};
@@ -81,20 +84,59 @@ typedef float nook_lanes;
 typedef int nook_flags;
 
 static inline nook_lanes nook_lanes_of(float x) { return x; }
-static inline nook_lanes nook_larger(nook_lanes a, nook_lanes b) { return a > b ? a : b; }
-static inline nook_lanes nook_smaller(nook_lanes a, nook_lanes b) { return a < b ? a : b; }
-static inline nook_lanes nook_magnitude(nook_lanes a) { return a < 0 ? -a : a; }
+static inline nook_lanes nook_magnitude(nook_lanes a) { return nook_abs(a); }
 static inline nook_flags nook_load_cells(const nook_bound *from) { return *from; }
 static inline nook_lanes nook_load(const nook_bound *from) { return (float)*from; }
-static inline void nook_set_entries(uint32_t *entry, uint32_t child, nook_flags some, nook_lanes least) {
+static inline uint32_t nook_set_entries(uint32_t *entry, uint32_t child, nook_flags some, nook_lanes least) {
     entry[child] = some ? nook_entry(least, child) : NOOK_UP;
+    return (uint32_t)(some != 0) << child;
 }
-static inline bool nook_flag(nook_flags flags, uint32_t k) {
-    (void)k;
-    return flags != 0;
-}
+
 static inline nook_flags nook_all_flags(void) { return -1; }
+static inline nook_lanes nook_choose(nook_flags flags, nook_lanes a, nook_lanes b) { return flags ? a : b; }
+static inline nook_flags nook_not(nook_flags flags) { return !flags; }
+static inline uint32_t nook_bits(nook_flags flags) { return flags != 0; }
 #endif
+
+static inline bool nook_flag(nook_flags flags, uint32_t k) { return (nook_bits(flags) >> k & 1u) != 0; }
+static inline float nook_lane(nook_lanes a, uint32_t k) { return ((const float *)&a)[k]; }
+static inline bool nook_any_flag(nook_flags flags) { return nook_bits(flags) != 0; }
+
+/* a > b ? a : b, and a < b ? a : b, also where one is no number. */
+#if NOOK_LANES == 4 && defined(__SSE__)
+static inline nook_lanes nook_larger(nook_lanes a, nook_lanes b) { return __builtin_ia32_maxps(a, b); }
+static inline nook_lanes nook_smaller(nook_lanes a, nook_lanes b) { return __builtin_ia32_minps(a, b); }
+#else
+static inline nook_lanes nook_larger(nook_lanes a, nook_lanes b) { return nook_choose(a > b, a, b); }
+static inline nook_lanes nook_smaller(nook_lanes a, nook_lanes b) { return nook_choose(a < b, a, b); }
+#endif
+
+static inline void nook_sort_entries(uint32_t *a, uint32_t *b) {
+    uint32_t more = *a > *b ? *a : *b, less = *a > *b ? *b : *a;
+    *a = more;
+    *b = less;
+}
+
+/* The node is a group, and some of its children, those with their bits set, are to be looked at, the largest entry first. */
+static inline void nook_descent_push(nook_descent *d, uint32_t places, uint32_t some,
+                                     const uint32_t entry[4]) {
+    uint32_t *rest = d->rest[d->level], child = (some >> 1) - (some >> 3), first = entry[child & 3u];
+    d->now = NOOK_UP;
+    rest[0] = rest[1] = 0;
+    if ((some & (some - 1u)) != 0) {
+        uint32_t i = entry[0], j = entry[1], k = entry[2], l = entry[3];
+        nook_sort_entries(&i, &j);
+        nook_sort_entries(&k, &l);
+        nook_sort_entries(&i, &k);
+        nook_sort_entries(&j, &l);
+        nook_sort_entries(&j, &k);
+        rest[0] = j | k << 16;
+        rest[1] = l;
+        child = ~i & 3u;
+        first = i;
+    }
+    if (some != 0) nook_descent_down(d, places, child, first);
+}
 
 /* The cells of a box. */
 static inline void nook_set_cells(const nook_bvh *bvh, nook_point low, nook_point high, nook_bound from[3],
@@ -113,33 +155,18 @@ static inline nook_flags nook_overlap_along(const nook_boxes *g, uint32_t child,
            (nook_load_cells(&g->high[axis][child]) >= low[axis]);
 }
 
-/* Flag k as bit k. */
-static inline uint32_t nook_bits_of(nook_flags flags) {
-#if NOOK_LANES > 1
-    typedef uint64_t two __attribute__((vector_size(16)));
-    const nook_flags bit = {1, 2, 4, 8};
-    two bits = (two)(flags & bit);
-    uint64_t all = bits[0] | bits[1];
-    return (uint32_t)(all | all >> 32);
-#else
-    return flags != 0;
-#endif
-}
-
 /* On to the children whose boxes overlap one in cells, from number first of their level on. */
 static inline void nook_visit_overlap(nook_descent *d, const nook_bvh *bvh, const nook_bound low[3],
                                       const nook_bound high[3], uint32_t first) {
     const nook_boxes *g = nook_descent_boxes(d, bvh);
-    uint32_t i, some = 0;
+    uint32_t entry[4], some = 0, i, skip = first > 4u * d->node ? first - 4u * d->node : 0;
     for (i = 0; i < 4u; i += NOOK_LANES)
-        some |= nook_bits_of(nook_overlap_along(g, i, 0, low, high) & nook_overlap_along(g, i, 1, low, high) &
-                             nook_overlap_along(g, i, 2, low, high))
+        some |= nook_bits(nook_overlap_along(g, i, 0, low, high) & nook_overlap_along(g, i, 1, low, high) &
+                          nook_overlap_along(g, i, 2, low, high))
                 << i;
-    nook_descent_leave(d);
-    for (i = 4; i-- > 0;) {
-        d->entry[d->entries] = (uint16_t)i;
-        d->entries = (uint8_t)(d->entries + (some >> i & (4u * d->node + i >= first)));
-    }
+    some = some >> skip << skip;
+    for (i = 0; i < 4u; i++) entry[i] = (some >> i & 1u) != 0 ? nook_entry(0, i) : NOOK_UP;
+    nook_descent_push(d, bvh->places, some, entry);
 }
 
 /* From memory, as many as there are lanes. */
@@ -178,6 +205,12 @@ static inline nook_vectors nook_vectors_scaled(nook_vectors a, float s) {
     return b;
 }
 
+static inline nook_vectors nook_vectors_choose(nook_flags flags, nook_vectors a, nook_vectors b) {
+    nook_vectors c = {nook_choose(flags, a.x, b.x), nook_choose(flags, a.y, b.y),
+                      nook_choose(flags, a.z, b.z)};
+    return c;
+}
+
 static inline nook_lanes nook_vectors_dot(nook_vectors a, nook_vectors b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -199,43 +232,41 @@ static inline nook_vectors nook_highest(const nook_vectors p[3]) {
     return nook_vectors_larger(nook_vectors_larger(p[0], p[1]), p[2]);
 }
 
-/* Points in memory, coordinate by coordinate. */
-typedef struct nook_points {
-    float x[NOOK_LANES], y[NOOK_LANES], z[NOOK_LANES];
-} nook_points;
-
-static inline void nook_set_point(nook_points *to, uint32_t k, const nook_point *p) {
-    to->x[k] = p->x;
-    to->y[k] = p->y;
-    to->z[k] = p->z;
+/* Points G[v[0]], G[v[1]] ... side by side. */
+static inline nook_vectors nook_vectors_at(const nook_point *G, const uint32_t v[NOOK_LANES]) {
+#if NOOK_LANES == 4
+    const nook_point *p = &G[v[0]], *q = &G[v[1]], *r = &G[v[2]], *s = &G[v[3]];
+    nook_vectors all = {{p->x, q->x, r->x, s->x}, {p->y, q->y, r->y, s->y}, {p->z, q->z, r->z, s->z}};
+    return all;
+#else
+    return nook_vectors_of(G[v[0]]);
+#endif
 }
 
-static inline nook_vectors nook_vectors_at(const nook_points *p) {
-    nook_vectors v = {nook_lanes_at(p->x), nook_lanes_at(p->y), nook_lanes_at(p->z)};
-    return v;
-}
-
-/* Some triangles, from a place of the tree on, and beyond the end the last one again: their corners each, and side by side. */
+/* Some triangles, from a place of the tree on, and beyond the end the last one again: their corners side by side. */
 typedef struct nook_some {
     uint32_t t[NOOK_LANES];
-    const nook_point *at[NOOK_LANES][3];
     nook_vectors p[3];
 } nook_some;
 
 /* False where order or V name nothing that there is. */
 static inline bool nook_gather(const nook_bvh *bvh, uint32_t place, nook_some *to) {
-    uint32_t last = bvh->view.nt - 1u, k;
-    nook_points points[3];
+    const nook_view *m = &bvh->view;
+    const nook_point *G = m->G;
+    const nook_index *V = m->V;
+    uint32_t nt = m->nt, nv = m->nv, v[3][NOOK_LANES], k;
     for (k = 0; k < NOOK_LANES; k++) {
-        to->t[k] = nook_triangle_at(bvh, place + k < last ? place + k : last);
-        if (!nook_points_of(bvh, to->t[k], to->at[k])) return false;
-        nook_set_point(&points[0], k, to->at[k][0]);
-        nook_set_point(&points[1], k, to->at[k][1]);
-        nook_set_point(&points[2], k, to->at[k][2]);
+        uint32_t t = nook_triangle_at(bvh, place + k < nt - 1u ? place + k : nt - 1u);
+        const nook_index *of;
+        if (t >= nt) return false;
+        of = V + 3u * (size_t)t;
+        v[0][k] = of[0], v[1][k] = of[1], v[2][k] = of[2];
+        if (v[0][k] >= nv || v[1][k] >= nv || v[2][k] >= nv) return false;
+        to->t[k] = t;
     }
-    to->p[0] = nook_vectors_at(&points[0]);
-    to->p[1] = nook_vectors_at(&points[1]);
-    to->p[2] = nook_vectors_at(&points[2]);
+    to->p[0] = nook_vectors_at(G, v[0]);
+    to->p[1] = nook_vectors_at(G, v[1]);
+    to->p[2] = nook_vectors_at(G, v[2]);
     return true;
 }
 

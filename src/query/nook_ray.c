@@ -9,54 +9,49 @@
 /* The direction, its largest component between 1 and 2; and t along it is t / unit. */
 static inline nook_point toward(const nook_ray *r) { return nook_scaled(r->direction, r->unit); }
 
-/* Along one axis the ray is at cell c at t = (c - origin) inverse; near and far are that origin moved by as much as
- * rounding may be off, and far by the width of a cell, which its bound leaves out. */
-static void set_axis(nook_ray *r, uint32_t axis) {
+/* Along one axis the ray is at cell c at t = (c - origin) inverse. near and far are that origin for the bounds that it comes
+ * upon first and last, moved by as much as rounding may be off, and for high ones by the width of a cell, which they leave
+ * out. */
+static inline void set_axis(nook_ray *r, uint32_t axis) {
     float slack, origin = nook_in_cells(r->bvh, nook_along(&r->origin, axis), axis, &slack);
-    float d = nook_along(&r->direction, axis) * r->unit, cells = nook_along(&r->bvh->cells, axis);
-    if (d != 0 && nook_abs(d) < 0x1p-60f) { /* so slow that its cells could underflow: never refused */
-        *nook_axis(&r->inverse, axis) = 1.0f;
-        *nook_axis(&r->near, axis) = 0x1p126f;
-        *nook_axis(&r->far, axis) = -0x1p126f;
-        return;
-    }
-    *nook_axis(&r->inverse, axis) = 1.0f / (d * cells);
-    *nook_axis(&r->near, axis) = origin + slack;
-    *nook_axis(&r->far, axis) = origin - 1.0f - slack;
+    float d = nook_along(&r->direction, axis) * r->unit;
+    float inverse = 1.0f / (d * nook_along(&r->bvh->cells, axis)), low = origin + slack,
+          high = origin - 1.0f - slack;
+    if (d != 0 && nook_abs(d) < 0x1p-60f) /* so slow that its cells could underflow: never refused */
+        inverse = 1.0f, low = 0x1p126f, high = -0x1p126f;
+    *nook_axis(&r->inverse, axis) = inverse;
+    *nook_axis(&r->near, axis) = inverse < 0 ? high : low;
+    *nook_axis(&r->far, axis) = inverse < 0 ? low : high;
 }
 
 /* The part of the ray, from near to far, between the bounds of some children along one axis. */
-static inline void cut(const nook_ray *r, const nook_boxes *g, uint32_t child, uint32_t axis,
-                       nook_lanes *near, nook_lanes *far) {
-    float inverse = nook_along(&r->inverse, axis), low = nook_along(&r->near, axis),
-          high = nook_along(&r->far, axis);
-    bool back = inverse < 0;
-    nook_lanes a = nook_load(&g->low[axis][child]), b = nook_load(&g->high[axis][child]);
-    a = (a - nook_lanes_of(low)) * nook_lanes_of(inverse);
-    b = (b - nook_lanes_of(high)) * nook_lanes_of(inverse);
-    *near = nook_larger(back ? b : a, *near);
-    *far = nook_smaller(back ? a : b, *far);
+static inline void cut(const nook_bound *first, const nook_bound *last, nook_lanes inverse, nook_lanes from,
+                       nook_lanes to, nook_lanes *near, nook_lanes *far) {
+    *near = nook_larger((nook_load(first) - from) * inverse, *near);
+    *far = nook_smaller((nook_load(last) - to) * inverse, *far);
 }
 
-static inline void visit_group(nook_ray *r) {
-    const nook_boxes *group = nook_descent_boxes(&r->descent, r->bvh);
-    uint32_t entry[4], i;
+/* What groups are held against. x, y, z: where, of the 24 bounds of a group, those are that the ray comes upon first; those
+ * that it comes upon last are where the others of that axis are. */
+typedef struct slabs {
+    nook_vectors inverse, near, far;
+    uint32_t x, y, z;
+} slabs;
+
+static inline void visit_group(nook_ray *r, const slabs *s) {
+    const nook_bound *g = nook_descent_boxes(&r->descent, r->bvh)->low[0];
+    uint32_t entry[4], bits = 0, i;
     for (i = 0; i < 4u; i += NOOK_LANES) {
         nook_lanes near = nook_lanes_of(0), far = nook_lanes_of(r->reach);
-        cut(r, group, i, 0, &near, &far);
-        cut(r, group, i, 1, &near, &far);
-        cut(r, group, i, 2, &near, &far);
-        nook_set_entries(entry, i, near <= far, near);
+        cut(g + i + s->x, g + i + (12u - s->x), s->inverse.x, s->near.x, s->far.x, &near, &far);
+        cut(g + i + s->y, g + i + (20u - s->y), s->inverse.y, s->near.y, s->far.y, &near, &far);
+        cut(g + i + s->z, g + i + (28u - s->z), s->inverse.z, s->near.z, s->far.z, &near, &far);
+        bits |= nook_set_entries(entry, i, near <= far, near);
     }
-    nook_descent_push(&r->descent, entry);
+    nook_descent_push(&r->descent, r->bvh->places, bits, entry);
 }
 
 /* ---- triangles ------------------------------------------------------------------------------------ */
-
-/* How the ray's line passes the three edges of a triangle: all on one side where it goes through. */
-typedef struct sides {
-    int edge[3];
-} sides;
 
 static bool differ(int a, int b) { return a * b < 0; }
 
@@ -79,13 +74,15 @@ static inline judgement judge(const nook_ray *r, const nook_vectors p[3]) {
     return j;
 }
 
-/* Whether the line goes through the triangle or touches it, exactly. In one plane with it, all signs are 0. */
-static bool meets(const nook_ray *r, const nook_point *const p[3], sides *s) {
-    s->edge[0] = nook_passing(&r->origin, &r->direction, p[0], p[1]);
-    s->edge[1] = nook_passing(&r->origin, &r->direction, p[1], p[2]);
-    if (differ(s->edge[0], s->edge[1])) return false;
-    s->edge[2] = nook_passing(&r->origin, &r->direction, p[2], p[0]);
-    return !differ(s->edge[0], s->edge[2]) && !differ(s->edge[1], s->edge[2]);
+/* Whether the line goes through the triangle or touches it, exactly: it passes all edges on one side, of which turn is the
+ * sign. In one plane with it, that is 0. */
+static bool meets(const nook_ray *r, const nook_point *const p[3], int *turn) {
+    int a = nook_passing(&r->origin, &r->direction, p[0], p[1]);
+    int b = nook_passing(&r->origin, &r->direction, p[1], p[2]), c;
+    if (differ(a, b)) return false;
+    c = nook_passing(&r->origin, &r->direction, p[2], p[0]);
+    *turn = a + b + c;
+    return !differ(a, c) && !differ(b, c);
 }
 
 /* t of a point on the ray. */
@@ -221,11 +218,9 @@ static void go_through(nook_ray *r, uint32_t t, const nook_point *const p[3], in
 }
 
 static void look_at(nook_ray *r, uint32_t t, const nook_point *const p[3]) {
-    sides s;
     int turn;
     float at;
-    if (!meets(r, p, &s)) return;
-    turn = s.edge[0] + s.edge[1] + s.edge[2];
+    if (!meets(r, p, &turn)) return;
     if (turn != 0) {
         go_through(r, t, p, turn);
     } else if (meets_in_plane(r, p, &at)) {
@@ -253,20 +248,23 @@ static void count(nook_ray *r, const nook_point *const p[3]) {
 
 /* Some triangles from a place on: those that there are and that are not missed for certain are looked at. */
 static inline bool visit_some(nook_ray *r, uint32_t place) {
-    uint32_t nt = r->bvh->view.nt, k;
+    uint32_t rest = r->bvh->view.nt - place, some, out, in, k;
+    const nook_point *p[3];
     nook_some x;
     judgement j;
     memset(&j, 0, sizeof j);
     if (!nook_gather(r->bvh, place, &x)) return false;
     if (NOOK_HAS_FPU) j = judge(r, x.p);
-    for (k = 0; k < NOOK_LANES && place + k < nt; k++) {
-        if (nook_flag(j.past, k)) continue;
+    some = ~nook_bits(j.past), out = nook_bits(j.out), in = nook_bits(j.in);
+    for (k = 0; k < NOOK_LANES && k < rest; k++) {
+        if ((some >> k & 1u) == 0) continue;
+        nook_corners_of(r->bvh, x.t[k], p);
         if (r->kind == NOOK_CROSSINGS) {
-            count(r, x.at[k]);
-        } else if (nook_flag(j.out, k) || nook_flag(j.in, k)) {
-            go_through(r, x.t[k], x.at[k], nook_flag(j.out, k) ? 1 : -1);
+            count(r, p);
+        } else if (((out | in) >> k & 1u) != 0) {
+            go_through(r, x.t[k], p, (out >> k & 1u) != 0 ? 1 : -1);
         } else {
-            look_at(r, x.t[k], x.at[k]);
+            look_at(r, x.t[k], p);
         }
     }
     return true;
@@ -278,7 +276,6 @@ static bool visit_leaf(nook_ray *r) {
         if (!visit_some(r, place)) return false;
     }
     nook_descent_leave(&r->descent);
-    if (r->kind == NOOK_ANY && r->triangle != NOOK_NONE) nook_descent_end(&r->descent);
     return true;
 }
 
@@ -300,7 +297,6 @@ static void set_direction(nook_ray *r) {
 
 nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, nook_point direction,
                            float t_max, nook_ray_kind kind) {
-    uint32_t axis;
     nook_status status = nook_bvh_status(bvh);
     if (r == NULL) return NOOK_NULL_ARGUMENT;
     if (status != NOOK_OK) return status;
@@ -314,7 +310,7 @@ nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, 
     r->origin = origin;
     r->direction = direction;
     set_direction(r);
-    for (axis = 0; axis < 3u; axis++) set_axis(r, axis);
+    set_axis(r, 0), set_axis(r, 1), set_axis(r, 2);
     r->t = t_max;
     r->best = t_max / r->unit;
     r->reach = beyond(r, r->best);
@@ -322,39 +318,24 @@ nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, 
     return NOOK_OK;
 }
 
-static void describe(nook_ray *r) {
-    nook_point corners[3], at = nook_scaled(toward(r), r->best);
-    const nook_point *p[3] = {&r->origin, &r->origin, &r->origin}; /* where the tables are spoiled by now */
-    float sum = 0;
-    uint32_t i;
-    (void)nook_points_of(r->bvh, r->triangle, p);
-    r->t = r->best * r->unit;
-    for (i = 0; i < 3u; i++) corners[i] = nook_sub(*p[i], r->origin);
-    nook_barycentric(corners, at, r->w);
-    for (i = 0; i < 3u; i++) {
-        if (!(r->w[i] > 0)) r->w[i] = 0;
-        sum += r->w[i];
-    }
-    /* 1 or more, unless the triangle is lost in the rounding of the way to it: 0, or no number from here on. */
-    sum += sum - sum;
-    for (i = 0; i < 3u; i++) r->w[i] = sum > 0 ? r->w[i] / sum : 1.0f / 3.0f;
-}
-
 /* What is known: nothing is hit before t_min. */
 static nook_status conclude(nook_ray *r, nook_status status) {
-    if (r->triangle != NOOK_NONE) describe(r);
-    r->t_min = nook_descent_least(&r->descent, r->best) * r->unit;
+    if (r->triangle != NOOK_NONE) r->t = r->best * r->unit;
+    r->t_min = nook_descent_least(&r->descent, r->bvh, r->best) * r->unit;
     if (r->t_min > r->t) r->t_min = r->t;
     return status;
 }
 
 nook_status nook_ray_step(nook_ray *r, uint32_t *units) {
+    const slabs s = {nook_vectors_of(r->inverse), nook_vectors_of(r->near),    nook_vectors_of(r->far),
+                     r->inverse.x < 0 ? 12u : 0,  r->inverse.y < 0 ? 16u : 4u, r->inverse.z < 0 ? 20u : 8u};
     nook_descent *d = &r->descent;
-    while (nook_descent_next(d, r->bvh->places, nook_entry(r->reach, 3))) {
+    while (nook_descent_next(d, r->bvh->places, nook_limit(r->reach))) {
+        if (r->kind == NOOK_ANY && r->triangle != NOOK_NONE) break;
         if (*units == 0) return conclude(r, NOOK_MORE);
         --*units;
         if (d->level != 0) {
-            visit_group(r);
+            visit_group(r, &s);
         } else if (!visit_leaf(r)) {
             return conclude(r, NOOK_INDEX_OUT_OF_RANGE);
         }
@@ -364,13 +345,9 @@ nook_status nook_ray_step(nook_ray *r, uint32_t *units) {
 
 nook_status nook_ray_cast(nook_ray *ray, const nook_bvh *bvh, nook_point origin, nook_point direction,
                           float t_max, nook_ray_kind kind) {
+    uint32_t units = UINT32_MAX; /* more than a tree has nodes */
     nook_status status = nook_ray_begin(ray, bvh, origin, direction, t_max, kind);
-    if (status != NOOK_OK) return status;
-    do {
-        uint32_t units = 16;
-        status = nook_ray_step(ray, &units);
-    } while (status == NOOK_MORE);
-    return status;
+    return status == NOOK_OK ? nook_ray_step(ray, &units) : status;
 }
 
 nook_point nook_ray_normal(const nook_ray *ray) {
@@ -380,4 +357,22 @@ nook_point nook_ray_normal(const nook_ray *ray) {
     if (ray->triangle == NOOK_NONE || !nook_points_of(ray->bvh, ray->triangle, p)) return nook_make(0, 0, 0);
     for (i = 0; i < 3u; i++) corners[i] = *p[i];
     return nook_normal(corners);
+}
+
+void nook_ray_weights(const nook_ray *ray, float w[3]) {
+    nook_point corners[3], at = nook_scaled(toward(ray), ray->best);
+    const nook_point *p[3];
+    float sum = 0;
+    uint32_t i;
+    w[0] = w[1] = w[2] = 0;
+    if (ray->triangle == NOOK_NONE || !nook_points_of(ray->bvh, ray->triangle, p)) return;
+    for (i = 0; i < 3u; i++) corners[i] = nook_sub(*p[i], ray->origin);
+    nook_barycentric(corners, at, w);
+    for (i = 0; i < 3u; i++) {
+        if (!(w[i] > 0)) w[i] = 0;
+        sum += w[i];
+    }
+    /* 1 or more, unless the triangle is lost in the rounding of the way to it: 0, or no number from here on. */
+    sum += sum - sum;
+    for (i = 0; i < 3u; i++) w[i] = sum > 0 ? w[i] / sum : 1.0f / 3.0f;
 }

@@ -25,10 +25,8 @@ typedef enum nook_ray_kind {
 
 typedef struct nook_ray {
     /* What is known so far. */
-    uint32_t triangle; /* that is hit, or NOOK_NONE */
-    float t;           /* there: origin + t direction; without a hit, t_max */
-    float w
-        [3]; /* and its barycentric coordinates, of corners 3 t, 3 t + 1, 3 t + 2; a third each without area */
+    uint32_t triangle;  /* that is hit, or NOOK_NONE */
+    float t;            /* there: origin + t direction; without a hit, t_max */
     float t_min;        /* nothing is hit before; t when all is known */
     uint32_t crossings; /* NOOK_CROSSINGS: triangles crossed at 0 <= t */
     int32_t winding;    /* and those left (+1: outward) less those entered (-1): around the origin */
@@ -54,7 +52,7 @@ nook_status nook_ray_begin(nook_ray *ray, const nook_bvh *bvh, nook_point origin
 /* NOOK_OK: all is known. NOOK_MORE: out of units. NOOK_INDEX_OUT_OF_RANGE: V or order names nothing (a table
  * that was spoiled after the build).
  * Steps: 1 a node of the tree that is looked at, a group or a leaf; some log4(nt) + 5 on most meshes, at most nt / 3 + 10. One unit is at most
- * 1,900 instructions on M4F, 42,000 on M0, where floats and integers decide; 100,000 if all four triangles of a leaf need the exact
+ * 1,900 instructions on M4F, 28,000 on M0, where floats and integers decide; 100,000 if all four triangles of a leaf need the exact
  * sums, which random data can ask for and meshes do not. */
 nook_status nook_ray_step(nook_ray *ray, uint32_t *units);
 /* Ask and wait. */
@@ -63,5 +61,8 @@ nook_status nook_ray_cast(nook_ray *ray, const nook_bvh *bvh, nook_point origin,
 
 /* The normal, of length 1, of the triangle that was hit; 0 if none, or if it has no area in floats. */
 nook_point nook_ray_normal(const nook_ray *ray);
+/* Where it was hit, in barycentric coordinates of corners 3 t, 3 t + 1, 3 t + 2, none negative, of sum 1; a third each without
+ * area, 0 without a hit. */
+void nook_ray_weights(const nook_ray *ray, float w[3]);
 
 #endif
