@@ -103,7 +103,8 @@ extern "C" {
 #include "edit/nook_whole.h" /* reverse a shell, split vertices */
 
 /* shape: change a mesh as a whole, by edits */
-#include "shape/nook_hull.h" /* convex hull of points */
+#include "shape/nook_hull.h"     /* convex hull of points */
+#include "shape/nook_simplify.h" /* fewer triangles */
 
 #ifdef __cplusplus
 }

@@ -21,6 +21,7 @@ int main(void) {
     test_edit();
     test_sew();
     test_hull();
+    test_simplify();
     test_query();
     test_bvh();
     test_meet();

@@ -14,6 +14,7 @@ void test_walk(void);
 void test_edit(void);
 void test_sew(void);
 void test_hull(void);
+void test_simplify(void);
 void test_query(void);
 void test_bvh(void);
 void test_meet(void);

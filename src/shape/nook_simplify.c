@@ -1,0 +1,656 @@
+/* nook_simplify.c -- the choice of edges, and of the points to which they go.
+ *
+ * Points are taken relative to a vertex of the edge and scaled so that the mesh is about 1024 wide: sixth powers of lengths,
+ * which costs are, then stay in range, and a mesh 2^k times as large becomes the same, 2^k times as large. */
+#include "shape/nook_simplify.h"
+
+#include "core/nook_vector.h"
+#include "edit/nook_inner.h"
+#include "edit/nook_local.h"
+
+enum { LOOK, DRAW, SWEEP, DONE };
+enum {
+    DRAWN = 3, /* triangles drawn for an edge to be looked at: the shortest of all theirs */
+    FRESH = 2, /* edges looked at for one that goes */
+    MOST = 60, /* corners around an edge */
+    HELD = 32  /* and where it must be held outside */
+};
+#define ROUND                                                                                                \
+    0x1p-15f /* how much of a sphere every quadric has, so that it has a least place also where all is flat */
+#define SHORT                                                                                                \
+    0x1p-18f /* how much more an edge costs for its length, so that among those that cost nothing short ones go */
+
+/* ---- what is around an edge ------------------------------------------------------------------------- */
+
+/* The sum of squared volumes, or areas, as a function of the place: x A x, about a vertex. */
+typedef struct quadric {
+    float xx, yy, zz, xy, xz, yz;
+} quadric;
+
+/* In the picture of nook_collapse(): corners at the vertices around C (end 0) and B (end 1), in chains of which any two
+ * that follow each other are in one triangle, the second's. Chain 0 is B, A, and so on clockwise about C, to D or a border;
+ * chain 1 is, if there was one, D and so on to the other border. Chains 2 and 3 are C, D ... A and A ... about B. */
+typedef struct ring {
+    uint32_t n, start[5];
+    bool met, open; /* the last chain has met a border; the first of an end has */
+    uint32_t v[2];  /* C, B */
+    nook_point p[2];
+    quadric a[2];
+    nook_index c[MOST + 4]; /* some are in before the first is walked to */
+} ring;
+
+static inline nook_point times(const quadric *a, nook_point v) {
+    return nook_make(a->xx * v.x + a->xy * v.y + a->xz * v.z, a->xy * v.x + a->yy * v.y + a->yz * v.z,
+                     a->xz * v.x + a->yz * v.y + a->zz * v.z);
+}
+
+static inline void add_normal(quadric *a, nook_point n) {
+    a->xx += n.x * n.x;
+    a->yy += n.y * n.y;
+    a->zz += n.z * n.z;
+    a->xy += n.x * n.y;
+    a->xz += n.x * n.z;
+    a->yz += n.y * n.z;
+}
+
+/* The square of the area between a place and a border edge, times that of its length. */
+static void add_border(quadric *a, nook_point e) {
+    float square = nook_dot(e, e);
+    a->xx += square * (square - e.x * e.x);
+    a->yy += square * (square - e.y * e.y);
+    a->zz += square * (square - e.z * e.z);
+    a->xy -= square * e.x * e.y;
+    a->xz -= square * e.x * e.z;
+    a->yz -= square * e.y * e.z;
+}
+
+static inline nook_point between(nook_point p, nook_point q, float scale) {
+    return nook_scaled(nook_sub(q, p), scale);
+}
+
+static bool push(ring *r, const nook_mesh *m, uint32_t c) {
+    r->c[r->n++] = nook_store(c);
+    return m->V[c] < m->nv;
+}
+
+/* On from the last corner across e, until e faces stop or a border. */
+static nook_status walk(ring *r, const nook_simplify_state *s, uint32_t chain, uint32_t e, uint32_t stop) {
+    const nook_mesh *m = s->mesh;
+    nook_point p = r->p[chain / 2u], u = between(p, m->G[m->V[r->c[r->n - 1u]]], s->scale), v;
+    quadric a = r->a[chain / 2u];
+    uint32_t o;
+    if ((chain & 1u) == 0) add_normal(&a, nook_cross(u, between(p, m->G[m->V[r->c[r->n - 2u]]], s->scale)));
+    while ((o = m->O[e]) != stop && o != e) {
+        if (o >= 3u * m->nt || m->V[o] >= m->nv) return NOOK_BAD_OPPOSITE;
+        if (r->n >= MOST) return NOOK_TOO_MANY_TRIANGLES;
+        r->c[r->n++] = nook_store(o);
+        v = between(p, m->G[m->V[o]], s->scale);
+        add_normal(&a, nook_cross(u, v));
+        u = v;
+        e = (chain & 1u) != 0 ? nook_prev(o) : nook_next(o);
+    }
+    r->met = o != stop;
+    if (r->met) add_border(&a, u);
+    r->a[chain / 2u] = a;
+    return NOOK_OK;
+}
+
+NOOK_APART static nook_status gather(ring *r, const nook_simplify_state *s, uint32_t c) {
+    const nook_mesh *m = s->mesh;
+    uint32_t end, o = nook_across(m, c);
+    r->n = 0;
+    r->open = false;
+    memset(r->a, 0, sizeof r->a);
+    for (end = 0; end < 2u; end++) {
+        r->v[end] = m->V[end == 0 ? nook_prev(c) : nook_next(c)];
+        if (r->v[end] >= m->nv) return NOOK_BAD_OPPOSITE;
+        r->p[end] = m->G[r->v[end]];
+    }
+    if (o == NOOK_NONE) add_border(&r->a[0], between(r->p[0], r->p[1], s->scale));
+    for (end = 0; end < 2u; end++) {
+        uint32_t x = end == 0 ? c : o, y = end == 0 ? o : c;
+        nook_status status = NOOK_OK;
+        r->met = true;
+        r->start[2u * end] = r->n;
+        if (x != NOOK_NONE) {
+            if (!push(r, m, nook_next(x)) || !push(r, m, x)) return NOOK_BAD_OPPOSITE;
+            status = walk(r, s, 2u * end, nook_next(x), y == NOOK_NONE ? y : nook_prev(y));
+        }
+        r->start[2u * end + 1u] = r->n;
+        r->open = r->open || r->met;
+        if (status == NOOK_OK && r->met && y != NOOK_NONE) {
+            if (!push(r, m, y)) return NOOK_BAD_OPPOSITE;
+            status = walk(r, s, 2u * end + 1u, nook_prev(y), NOOK_NONE);
+        }
+        if (status != NOOK_OK) return status;
+    }
+    r->start[4] = r->n;
+    return NOOK_OK;
+}
+
+static const nook_point *at_ring(const nook_mesh *m, const ring *r, uint32_t i) {
+    return &m->G[m->V[r->c[i]]];
+}
+
+/* ---- where the vertex goes --------------------------------------------------------------------------- */
+
+/* Half the edge, from its middle to B, and y A y - 2 g y of places y from its middle; A has trace 1, and so is scaled. */
+typedef struct costs {
+    quadric a, inverse; /* of A + ROUND */
+    nook_point half, g;
+    float trace;
+} costs;
+
+static void invert(quadric *to, const quadric *a) {
+    float xx = a->xx + ROUND, yy = a->yy + ROUND, zz = a->zz + ROUND, by;
+    to->xx = yy * zz - a->yz * a->yz, to->xy = a->xz * a->yz - a->xy * zz,
+    to->xz = a->xy * a->yz - a->xz * yy;
+    to->yy = xx * zz - a->xz * a->xz, to->yz = a->xy * a->xz - xx * a->yz, to->zz = xx * yy - a->xy * a->xy;
+    by = 1.0f / (xx * to->xx + a->xy * to->xy + a->xz * to->xz);
+    to->xx *= by, to->yy *= by, to->zz *= by, to->xy *= by, to->xz *= by, to->yz *= by;
+}
+
+/* About the middle, the sum of both quadrics has half the difference of both at work on the edge as its slope. */
+static void add_up(costs *f, const ring *r, float scale) {
+    const quadric *c = &r->a[0], *b = &r->a[1];
+    quadric less = {b->xx - c->xx, b->yy - c->yy, b->zz - c->zz, b->xy - c->xy, b->xz - c->xz, b->yz - c->yz};
+    float by;
+    f->half = between(r->p[0], r->p[1], 0.5f * scale);
+    f->trace = b->xx + c->xx + (b->yy + c->yy) + (b->zz + c->zz) + 0x1p-100f;
+    by = 1.0f / f->trace;
+    f->g = nook_scaled(times(&less, f->half), by);
+    f->a.xx = (b->xx + c->xx) * by, f->a.yy = (b->yy + c->yy) * by, f->a.zz = (b->zz + c->zz) * by;
+    f->a.xy = (b->xy + c->xy) * by, f->a.xz = (b->xz + c->xz) * by, f->a.yz = (b->yz + c->yz) * by;
+    invert(&f->inverse, &f->a);
+}
+
+static float cost_at(const costs *f, nook_point y) {
+    float sum =
+        nook_dot(y, times(&f->a, y)) - 2 * nook_dot(f->g, y) + nook_dot(f->half, times(&f->a, f->half));
+    return f->trace * (nook_abs(sum) + SHORT * nook_dot(f->half, f->half));
+}
+
+/* Once more on what is left, so that ROUND moves nothing that is not flat. */
+static nook_point least_place(const costs *f) {
+    nook_point y = times(&f->inverse, f->g), z = times(&f->inverse, nook_sub(f->g, times(&f->a, y)));
+    return nook_make(y.x + z.x, y.y + z.y, y.z + z.z);
+}
+
+static nook_point from_middle(const nook_simplify_state *s, const ring *r, nook_point y) {
+    const nook_point *c = &r->p[0], *b = &r->p[1];
+    return nook_make(0.5f * (c->x + b->x) + y.x * s->unit, 0.5f * (c->y + b->y) + y.y * s->unit,
+                     0.5f * (c->z + b->z) + y.z * s->unit);
+}
+
+/* ---- outside ------------------------------------------------------------------------------------------ */
+
+/* The triangle of ring corner i, or the one across the ring from it, which must not be passed; if there is one. */
+static bool face_of(const nook_mesh *m, const ring *r, uint32_t i, bool across, const nook_point *t[3]) {
+    uint32_t end = i >= r->start[2], o;
+    if (i <= r->start[2u * end] + across) return false;
+    t[0] = &r->p[end];
+    t[1] = at_ring(m, r, i - across);
+    t[2] = at_ring(m, r, i - !across);
+    if (!across) return true;
+    o = m->O[nook_prev(r->c[i])];
+    if (o >= 3u * m->nt || m->V[o] >= m->nv) return false;
+    t[0] = &m->G[m->V[o]];
+    return true;
+}
+
+static bool is_outside(const nook_simplify_state *s, const ring *r, const nook_point *at) {
+    const nook_point *t[3];
+    uint32_t across, i;
+    for (across = 0; across <= s->goal->convex; across++) {
+        for (i = 0; i < r->n; i++) {
+            int wrong = across != 0 ? 1 : -1;
+            if (face_of(s->mesh, r, i, across != 0, t) && nook_orient3d(t[0], t[1], t[2], at) == wrong)
+                return false;
+        }
+    }
+    return true;
+}
+
+/* The place of least cost, and by ROUND near the middle, that is a little outside: Hildreth's method, which pushes along one normal after
+ * the other, in the measure of the quadric, and takes back what was too much. */
+NOOK_APART static nook_point hold_outside(const nook_simplify_state *s, const ring *r, const costs *f,
+                                          nook_point y) {
+    float pushed[2][HELD], least = 0x1p-12f * nook_length(f->half);
+    nook_point middle = from_middle(s, r, nook_make(0, 0, 0));
+    const nook_point *t[3];
+    uint32_t i, j, still = 0;
+    memset(pushed, 0, sizeof pushed);
+    for (j = 0; j < 64u && still < 2u; j++) {
+        bool across = s->goal->convex && (j & 1u) != 0;
+        still++;
+        for (i = 0; i < r->n; i++) {
+            nook_point n, w;
+            float by, high, steep;
+            if (!face_of(s->mesh, r, i, across, t)) continue;
+            n = nook_cross(between(*t[0], *t[1], s->scale), between(*t[0], *t[2], s->scale));
+            if (across) n = nook_scaled(n, -1.0f);
+            w = times(&f->inverse, n);
+            high = least * nook_length(n);
+            steep = nook_dot(n, w) + 0x1p-100f;
+            by = (nook_dot(n, between(middle, *t[0], s->scale)) - nook_dot(n, y) + high) / steep;
+            if (by < -pushed[across][i]) by = -pushed[across][i];
+            if (nook_abs(by) * steep > 0.5f * high) still = 0;
+            pushed[across][i] += by;
+            y = nook_make(y.x + by * w.x, y.y + by * w.y, y.z + by * w.z);
+        }
+    }
+    return y;
+}
+
+/* The best of both ends and that place. */
+NOOK_APART static bool place_outside(const nook_simplify_state *s, const ring *r, const costs *f,
+                                     nook_point y, nook_point *at, float *cost) {
+    uint32_t i;
+    *cost = 0x1p127f;
+    if (r->open || r->n > HELD) return false;
+    for (i = 0; i < 3u; i++) {
+        nook_point place = i == 2u ? hold_outside(s, r, f, y) : nook_scaled(f->half, i == 0 ? -1.0f : 1.0f);
+        float less = cost_at(f, place);
+        place = i == 2u ? from_middle(s, r, place) : r->p[i];
+        if (!(less < *cost * (i == 2u ? 0.75f : 1.0f)) || !is_outside(s, r, &place)) continue;
+        *cost = less;
+        *at = place;
+    }
+    return *cost < 0x1p127f;
+}
+
+/* ---- what must not happen ----------------------------------------------------------------------------- */
+
+/* Whether a triangle of an end would turn. Where lengths and the cosine, 2^-18 at least, leave no doubt floats do. */
+static bool turns(const nook_simplify_state *s, const ring *r, uint32_t chain, const nook_point *at) {
+    static const nook_edit asking = {.no_turn = true};
+    const nook_mesh *m = s->mesh;
+    const nook_point *p = &r->p[chain / 2u];
+    uint32_t i = r->start[chain] + ((chain & 1u) ^ 1u), end = r->start[chain + 1u];
+    nook_point u, v, x, y;
+    float uu, vv, xx, yy;
+    if (i >= end) return false;
+    u = between(*p, *at_ring(m, r, i), s->scale);
+    x = between(*at, *at_ring(m, r, i), s->scale);
+    uu = nook_dot(u, u), xx = nook_dot(x, x);
+    for (; ++i < end; u = v, x = y, uu = vv, xx = yy) {
+        const nook_point *w = at_ring(m, r, i - 1u), *z = at_ring(m, r, i);
+        const nook_point *const old[4] = {p, w, z, z};
+        float cosine;
+        v = between(*p, *z, s->scale);
+        y = between(*at, *z, s->scale);
+        vv = nook_dot(v, v), yy = nook_dot(y, y);
+        cosine = nook_dot(nook_cross(u, v), nook_cross(x, y));
+        if (cosine > 0x1p-40f && cosine * cosine > 0x1p-36f * (uu * vv) * (xx * yy)) continue;
+        if (nook_is_turned(&asking, at, w, z, old)) return true;
+    }
+    return false;
+}
+
+/* ---- how far the surface moves ------------------------------------------------------------------------- */
+
+/* A place seen along the vector area of the ring: u, v in a coordinate plane, h across it; and the number there. */
+typedef struct seen {
+    float u, v, h, e;
+} seen;
+
+typedef struct sight {
+    const nook_simplify_state *s;
+    const ring *r;
+    nook_point at;
+    uint32_t axis;
+    float u, v;   /* how far one goes sideways, a unit of h */
+    float length; /* and how far in all */
+} sight;
+
+static seen look(const sight *l, nook_point p, float e) {
+    nook_point d = between(l->at, p, l->s->scale);
+    float h = nook_along(&d, l->axis);
+    seen o = {nook_along(&d, nook_after(l->axis)) - h * l->u,
+              nook_along(&d, nook_after(nook_after(l->axis))) - h * l->v, h, e};
+    return o;
+}
+
+static seen look_at_end(const sight *l, uint32_t end) {
+    return look(l, l->r->p[end], l->s->goal->deviation[l->r->v[end]] * l->s->scale);
+}
+
+static seen look_at_ring(const sight *l, uint32_t i) {
+    uint32_t v = l->s->mesh->V[l->r->c[i]];
+    return look(l, l->s->mesh->G[v], l->s->goal->deviation[v] * l->s->scale);
+}
+
+static float cross(seen p, seen q) { return p.u * q.v - p.v * q.u; }
+
+static seen minus(seen p, seen q) {
+    seen d = {p.u - q.u, p.v - q.v, p.h - q.h, p.e - q.e};
+    return d;
+}
+
+/* What the new vertex, seen at 0 with height 0, must have for place p of the old surface, seen at triangle 0 a b of the new: 0 if it
+ * is not there. */
+static float due_in(const sight *l, seen p, seen a, seen b) {
+    float area = cross(a, b), y = cross(p, b) / area, z = cross(a, p) / area, x = 1.0f - y - z;
+    if (!(x >= -0x1p-10f && y >= -0x1p-10f && z >= -0x1p-10f)) return 0;
+    if (x < 0x1p-10f) return 0x1p100f; /* at the ring */
+    return (p.e + l->length * nook_abs(p.h - y * a.h - z * b.h) - y * a.e - z * b.e) / x;
+}
+
+/* The same the other way: the new vertex seen at triangle p a b of the old. */
+static float due_under(const sight *l, seen p, seen a, seen b) {
+    float area = cross(minus(a, p), minus(b, p)), x = cross(a, b) / area, y = cross(b, p) / area,
+          z = cross(p, a) / area;
+    if (!(x >= -0x1p-10f && y >= -0x1p-10f && z >= -0x1p-10f)) return 0;
+    return x * p.e + y * a.e + z * b.e + l->length * nook_abs(x * p.h + y * a.h + z * b.h);
+}
+
+/* And for where the old edge p w is seen to cross the new edge to z. */
+static float due_across(const sight *l, seen p, seen w, seen z) {
+    seen d = minus(w, p);
+    float area = cross(d, z), y = -cross(p, z) / area, t = -cross(p, d) / area;
+    if (!(y > 0 && y < 1 && t > 0 && t < 1)) return 0;
+    return (p.e + y * d.e + l->length * nook_abs(p.h + y * d.h - t * z.h) - t * z.e) / (1.0f - t);
+}
+
+/* Whether triangle a b c faces the way one looks, by a sixteenth of its area at least. */
+static bool faces(const sight *l, const nook_point *way, const nook_point *a, const nook_point *b,
+                  const nook_point *c) {
+    nook_point n = nook_cross(between(*a, *b, l->s->scale), between(*a, *c, l->s->scale));
+    float d = nook_dot(n, *way);
+    return d > 0 && d * d * 256.0f > nook_dot(n, n) * nook_dot(*way, *way);
+}
+
+/* Look along the vector area. Whether both surfaces lie flat over the ring, and the new once. */
+NOOK_APART static bool begin_sight(sight *l) {
+    const nook_mesh *m = l->s->mesh;
+    nook_point way = nook_make(0, 0, 0);
+    const nook_point *t[3];
+    uint32_t i, turns_of_ring = 0;
+    float by;
+    for (i = 0; i < l->r->n; i++) {
+        if (!face_of(m, l->r, i, false, t)) continue;
+        way =
+            nook_sub(way, nook_cross(between(*t[0], *t[2], l->s->scale), between(*t[0], *t[1], l->s->scale)));
+    }
+    l->axis = nook_abs(way.x) > nook_abs(way.y) ? 0 : 1u;
+    if (nook_abs(way.z) > nook_abs(nook_along(&way, l->axis))) l->axis = 2;
+    by = 1.0f / nook_along(&way, l->axis);
+    l->u = nook_along(&way, nook_after(l->axis)) * by;
+    l->v = nook_along(&way, nook_after(nook_after(l->axis))) * by;
+    l->length = nook_sqrt(1.0f + l->u * l->u + l->v * l->v);
+    for (i = 0; i < l->r->n; i++) {
+        if (!face_of(m, l->r, i, false, t)) continue;
+        if (!faces(l, &way, t[0], t[1], t[2])) return false;
+        if (i == 1u || i == l->r->start[2] + 1u) continue; /* at the edge */
+        if (!faces(l, &way, &l->at, t[1], t[2])) return false;
+        turns_of_ring += (look(l, *t[1], 0).v < 0) != (look(l, *t[2], 0).v < 0);
+    }
+    return turns_of_ring == 2u;
+}
+
+static float more(float a, float b) { return a > b ? a : b; }
+
+/* What all places of an edge to ring corner i, or of the edge itself (i beyond them), must have. */
+static float due_along(const sight *l, uint32_t end, uint32_t i) {
+    bool edge = i == l->r->n;
+    seen p = look_at_end(l, end), w = edge ? look_at_end(l, 1) : look_at_ring(l, i);
+    const nook_index *V = l->s->mesh->V;
+    uint32_t j;
+    float due = 0;
+    for (j = 1; j < l->r->n; j++) {
+        if (j == l->r->start[2]) j++;
+        if (edge || V[l->r->c[i]] != V[l->r->c[j]]) due = more(due, due_across(l, p, w, look_at_ring(l, j)));
+    }
+    return due;
+}
+
+/* By the second map. */
+static float due_straight(const sight *l) {
+    seen c = look_at_end(l, 0), b = look_at_end(l, 1);
+    float due = due_along(l, 0, l->r->n), size = nook_abs(c.u) + nook_abs(c.v) + nook_abs(c.h);
+    uint32_t i;
+    for (i = 1; i < l->r->n; i++) {
+        seen w, z;
+        if (i == l->r->start[2]) i++;
+        w = look_at_ring(l, i), z = look_at_ring(l, i - 1u);
+        size = more(size, nook_abs(w.u) + nook_abs(w.v) + nook_abs(w.h));
+        due = more(due, due_along(l, i > l->r->start[2], i));
+        due = more(due, due_under(l, i > l->r->start[2] ? b : c, w, z));
+        if (i == 1u || i == l->r->start[2] + 1u) continue;
+        due = more(due, more(due_in(l, c, w, z), due_in(l, b, w, z)));
+    }
+    return due + 0x1p-18f * l->length * size;
+}
+
+/* Of the new vertex at that place. */
+NOOK_APART static float deviation_at(const nook_simplify_state *s, const ring *r, const nook_point *at) {
+    sight l;
+    float due = 0, less;
+    uint32_t end;
+    l.s = s;
+    l.r = r;
+    l.at = *at;
+    for (end = 0; end < 2u; end++)
+        due = more(due,
+                   s->goal->deviation[r->v[end]] * s->scale + nook_length(between(r->p[end], *at, s->scale)));
+    if (!r->open && begin_sight(&l)) {
+        less = due_straight(&l);
+        if (less < due) due = less;
+    }
+    return due * s->unit * (1.0f + 0x1p-20f);
+}
+
+/* ---- edges ---------------------------------------------------------------------------------------------- */
+
+typedef struct choice {
+    nook_point at;
+    float cost, deviation;
+} choice;
+
+/* Where the edge of c would go, for what; with all conditions, or only those that come by the way. */
+NOOK_APART static nook_status judge(const nook_simplify_state *s, uint32_t c, bool wholly, choice *to) {
+    ring r;
+    costs f;
+    nook_point y;
+    uint32_t i;
+    nook_status status = gather(&r, s, c);
+    if (status != NOOK_OK) return status;
+    add_up(&f, &r, s->scale);
+    y = least_place(&f);
+    if (s->goal->outside) {
+        if (!place_outside(s, &r, &f, y, &to->at, &to->cost)) return NOOK_NO_PLACE;
+    } else {
+        to->at = from_middle(s, &r, y);
+        to->cost = cost_at(&f, y);
+    }
+    if (!wholly) return NOOK_OK;
+    for (i = 0; i < 4u; i++) {
+        if (turns(s, &r, i, &to->at)) return NOOK_TURNED_TRIANGLE;
+    }
+    if (nook_point_status(to->at) != NOOK_OK) return NOOK_NO_PLACE;
+    if (s->goal->deviation == NULL) return NOOK_OK;
+    to->deviation = deviation_at(s, &r, &to->at);
+    return to->deviation <= s->goal->error ? NOOK_OK : NOOK_NO_PLACE;
+}
+
+/* All collapses are made here. */
+static nook_status collapse(nook_simplify_state *s, uint32_t c, const choice *to) {
+    nook_mesh *m = s->mesh;
+    nook_edit edit = {.no_turn = false}; /* it has been asked */
+    uint32_t kept = m->V[nook_prev(c)], gone = m->V[nook_next(c)], last = m->nv - 1u;
+    float *deviation = s->goal->deviation;
+    nook_status status;
+    if (s->edit != NULL) edit = *s->edit;
+    edit.no_turn = false;
+    status = nook_collapse(m, c, to->at, &edit);
+    if (status != NOOK_OK || deviation == NULL) return status;
+    deviation[kept] = to->deviation;
+    deviation[gone] = deviation[last];
+    return NOOK_OK;
+}
+
+/* With all conditions; what stands in the way is kept. */
+static bool try_edge(nook_simplify_state *s, uint32_t c, const choice *to, nook_status status) {
+    if (status == NOOK_OK) status = collapse(s, c, to);
+    if (status == NOOK_OK) {
+        s->idle = s->fresh = 0;
+        return true;
+    }
+    s->refused = status;
+    s->where = nook_at(NOOK_AT_CORNER, c);
+    return false;
+}
+
+/* ---- the choice ------------------------------------------------------------------------------------------ */
+
+static uint32_t draw_corner(nook_simplify_state *s) {
+    s->dice ^= s->dice << 13;
+    s->dice ^= s->dice >> 17;
+    s->dice ^= s->dice << 5;
+    return (uint32_t)((uint64_t)s->dice * (3u * s->mesh->nt) >> 32);
+}
+
+/* The square of a length; of what is no edge 0, and it is found out when it is looked at. */
+static float square_of(const nook_mesh *m, uint32_t c) {
+    uint32_t v = m->V[nook_next(c)], w = m->V[nook_prev(c)];
+    nook_point d;
+    if (v >= m->nv || w >= m->nv) return 0;
+    d = nook_sub(m->G[v], m->G[w]);
+    return nook_dot(d, d);
+}
+
+/* The shortest edge of some triangles; any, where none has gone for long. */
+static uint32_t draw_edge(nook_simplify_state *s) {
+    uint32_t best = draw_corner(s), n, i;
+    float least = square_of(s->mesh, best);
+    if (s->idle > 64u) return best;
+    for (n = 0; n < (uint32_t)DRAWN; n++) {
+        uint32_t c = n == 0 ? best : draw_corner(s);
+        for (i = 0; i < 3u; i++, c = nook_next(c)) {
+            float square = square_of(s->mesh, c);
+            if (square < least) least = square, best = c;
+        }
+    }
+    return best;
+}
+
+static void put(nook_simplify_state *s, uint32_t c, float cost) {
+    uint32_t i;
+    if (s->pooled == NOOK_SIMPLIFY_POOL) {
+        if (!(cost < s->pool[0].cost)) return;
+        for (i = 0; i + 1u < s->pooled && s->pool[i + 1u].cost > cost; i++) s->pool[i] = s->pool[i + 1u];
+    } else {
+        for (i = s->pooled++; i > 0 && s->pool[i - 1u].cost < cost; i--) s->pool[i] = s->pool[i - 1u];
+    }
+    s->pool[i].cost = cost;
+    s->pool[i].c = c;
+}
+
+static void draw(nook_simplify_state *s) {
+    uint32_t c = draw_edge(s);
+    choice to;
+    nook_status status = judge(s, c, false, &to);
+    s->fresh++;
+    s->idle++;
+    if (status == NOOK_OK) {
+        put(s, c, to.cost);
+    } else {
+        (void)try_edge(s, c, &to, status);
+    }
+}
+
+/* The best of the pool, unless it has become worse since than the next. */
+static void take(nook_simplify_state *s) {
+    uint32_t c = s->pool[--s->pooled].c;
+    nook_status status;
+    choice to;
+    if (c >= 3u * s->mesh->nt) return;
+    status = judge(s, c, true, &to);
+    if (status == NOOK_OK && s->pooled != 0 && to.cost > s->pool[s->pooled - 1u].cost) {
+        put(s, c, to.cost);
+    } else {
+        (void)try_edge(s, c, &to, status);
+    }
+}
+
+/* One edge after the other, until none has gone in a whole round. */
+static void sweep(nook_simplify_state *s) {
+    uint32_t c = s->at < 3u * s->mesh->nt ? s->at : 0;
+    choice to;
+    s->at = c + 1u;
+    if (s->mesh->O[c] >= c && try_edge(s, c, &to, judge(s, c, true, &to))) return;
+    if (++s->idle > 3u * s->mesh->nt) s->phase = DONE;
+}
+
+/* A vertex, once; then a draw, or what was drawn. */
+static nook_status advance(nook_simplify_state *s) {
+    const nook_mesh *m = s->mesh;
+    if (s->phase == LOOK) {
+        nook_status status = s->at < m->nv ? nook_point_status(m->G[s->at]) : NOOK_OK;
+        nook_point d;
+        uint32_t exponent;
+        if (status != NOOK_OK) {
+            s->where = nook_at(NOOK_AT_VERTEX, s->at);
+            return status;
+        }
+        if (s->at < m->nv) {
+            d = nook_sub(m->G[s->at++], m->G[0]);
+            s->extent = more(s->extent, more(nook_abs(d.x), more(nook_abs(d.y), nook_abs(d.z))));
+            return NOOK_OK;
+        }
+        exponent = nook_exponent(s->extent);
+        if (exponent < 40u) exponent = 40;
+        s->scale = nook_power_of_two(264u - exponent);
+        s->unit = nook_power_of_two(exponent - 10u);
+        s->phase = DRAW;
+    } else if (m->nt <= s->goal->triangles) {
+        s->refused = NOOK_OK;
+        s->phase = DONE;
+    } else if (s->phase == SWEEP) {
+        sweep(s);
+    } else if (s->fresh < (uint32_t)FRESH || s->pooled == 0) {
+        draw(s);
+        if (s->idle > 8u * m->nt + 64u) s->phase = SWEEP, s->idle = s->at = 0;
+    } else {
+        take(s);
+    }
+    return NOOK_OK;
+}
+
+nook_status nook_simplify_begin(nook_simplify_state *s, nook_mesh *mesh, const nook_simplify_goal *goal,
+                                const nook_edit *edit) {
+    if (mesh == NULL || goal == NULL) return NOOK_NULL_ARGUMENT;
+    memset(s, 0, sizeof *s);
+    s->mesh = mesh;
+    s->goal = goal;
+    s->edit = edit;
+    s->dice = 0x9E3779B9u;
+    return NOOK_OK;
+}
+
+nook_status nook_simplify_step(nook_simplify_state *s, uint32_t *units) {
+    while (s->phase != DONE) {
+        nook_status status;
+        if (*units == 0) return NOOK_MORE;
+        --*units;
+        status = advance(s);
+        if (status != NOOK_OK) return status;
+    }
+    return s->goal->triangles == 0 ? NOOK_OK : s->refused;
+}
+
+nook_status nook_simplify(nook_mesh *mesh, const nook_simplify_goal *goal, const nook_edit *edit,
+                          nook_where *where) {
+    nook_simplify_state state;
+    uint32_t units;
+    nook_status status;
+    if (where != NULL) *where = nook_at(NOOK_NOWHERE, 0);
+    status = nook_simplify_begin(&state, mesh, goal, edit);
+    if (status != NOOK_OK) return status;
+    do {
+        units = 64; /* any number gives the same */
+        status = nook_simplify_step(&state, &units);
+    } while (status == NOOK_MORE);
+    if (where != NULL && status != NOOK_OK) *where = state.where;
+    return status;
+}
