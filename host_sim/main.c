@@ -15,10 +15,11 @@ static const struct {
     {"make", cmd_make, make_help, FOR_MAKE},
     {"query", cmd_query, query_help, FOR_QUERY},
     {"hull", cmd_hull, hull_help, FOR_HULL},
+    {"simplify", cmd_simplify, simplify_help, FOR_SIMPLIFY},
 };
 
 static const char *const planned[] = {
-    "repair", "simplify", "smooth", "collide", "pack", "unpack", "verify", "robot", "boards", "run",
+    "repair", "smooth", "collide", "pack", "unpack", "verify", "robot", "boards", "run",
 };
 
 static const char help[] =
@@ -29,6 +30,7 @@ static const char help[] =
     "  nook query FILE                          distance, inside or outside, and rays: JSON on standard "
     "input\n"
     "  nook hull IN OUT                         the convex hull\n"
+    "  nook simplify IN OUT --triangles N       fewer triangles, or as few as --error E allows\n"
     "  nook COMMAND --help                      the options of a command\n"
     "  nook --version\n"
     "\n"
