@@ -162,7 +162,7 @@ sanitize: $(foreach v,$(SANITIZED),build/$(v)/tests.elf build/$(v)/nook) ## test
 
 # ---- proofs by exhaustion --------------------------------------------------------------------------
 PROVE := cc16/prove_exact soft16/prove_exact cc16/prove_worlds cc32/prove_worlds cc16/prove_tables asan16/prove_tables asan16/prove_faults \
-	cc16/prove_faults cc16/prove_edits cc16/prove_spoiled asan16/prove_spoiled cc16/prove_hull cc32/prove_files asan16/prove_files \
+	cc16/prove_faults cc16/prove_edits cc16/prove_spoiled asan16/prove_spoiled cc16/prove_hull cc16/prove_simplify cc32/prove_files asan16/prove_files \
 	cc16/prove_pairs cc16/prove_queries cc16/prove_nearest cc16/prove_trees cc32/prove_trees asan16/prove_queries asan16/prove_nearest \
 	asan16/prove_trees
 PROVE_SMALL := $(addprefix asan16/prove_,spoiled queries nearest trees)
@@ -222,10 +222,11 @@ format: ## lay out all C files
 format-check: ## fail if `make format` would change anything
 	clang-format --dry-run --Werror $(C_FILES)
 
-bench: bench-query ## and nook_link beside Draco's CornerTable, exact signs by kind of case; needs g++ and libdraco-dev
+bench: bench-query bench-simplify ## and nook_link beside Draco's CornerTable, exact signs by kind of case; needs g++ and libdraco-dev
 	sh tests/bench/run.sh
 
 include tests/bench/query.mk
+include tests/bench/simplify.mk
 BENCH ?=
 bench-query: build/query/bench peers-missing ## queries beside Embree, Bullet, ODE, FCL, CGAL; BENCH="only=rays:pipe20k x.stl"
 	build/query/bench $(BENCH)

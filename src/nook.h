@@ -134,6 +134,7 @@ extern "C" {
  * convex mesh                 nook_geometry.convex, with a witness if not
  * corner, corner table        nook_view: V, O
  * cut, cut open               nook_cut (an edge that reaches the border); nook_split_vertex
+ * decimation                  nook_simplify
  * delete vertex               nook_remove_vertex
  * depth-first search, Visit   nook_flood
  * dual graph                  its links are nook_opposite
@@ -169,7 +170,7 @@ extern "C" {
  * l, left                     nook_left
  * label vertices              nook_flood_new_vertices
  * left, right face            nook_left_face, nook_right_face
- * level of detail             to come; nook_collapse and nook_split_vertex are its steps
+ * level of detail             discrete: nook_simplify to several counts; continuous to come; nook_collapse and nook_split_vertex are its steps
  * lone edge                   !nook_is_halfedge
  * manifold                    nook_check_result.manifold
  * marks Mt, Mv                nook_marks
@@ -201,6 +202,7 @@ extern "C" {
  * sibling                     nook_pair
  * signed distance             nook_signed_distance
  * simple mesh                 nook_check_result.simple
+ * simplify                    nook_simplify; for collision: nook_simplify_goal.outside
  * smooth a shell              to come
  * soup                        nook_mesh_append, nook_weld
  * spanning tree (TST, VST)    the entry corners of nook_flood are a triangle-spanning tree; marks of both to come

@@ -437,7 +437,7 @@ static void a_count_that_cannot_be_reached_is_told_with_the_reason(void) {
     bumpy_sphere(2);
     goal.deviation = deviation;
     ends_for(NOOK_NO_PLACE, 128); /* no deviation at all */
-    hub_fan(70, true); /* the hub has too many to be moved at first, its rim does not */
+    hub_fan(70, true);            /* the hub has too many to be moved at first, its rim does not */
     keep();
     goal.triangles = 6;
     CHECK_EQUAL(simplify(), NOOK_OK);

@@ -510,26 +510,27 @@ static uint32_t draw_corner(nook_simplify_state *s) {
     return (uint32_t)((uint64_t)s->dice * (3u * s->mesh->nt) >> 32);
 }
 
-/* The square of a length; of what is no edge 0, and it is found out when it is looked at. */
-static float square_of(const nook_mesh *m, uint32_t c) {
-    uint32_t v = m->V[nook_next(c)], w = m->V[nook_prev(c)];
-    nook_point d;
-    if (v >= m->nv || w >= m->nv) return 0;
-    d = nook_sub(m->G[v], m->G[w]);
-    return nook_dot(d, d);
+/* The shortest edge of a triangle, if it is shorter than what was found before; of what is no triangle one that is found out
+ * when it is looked at. */
+static void shortest_of(const nook_mesh *m, uint32_t t, uint32_t *best, float *least) {
+    const nook_index *V = m->V + 3u * t;
+    nook_point p, q;
+    uint32_t i, last = V[2];
+    if (V[0] >= m->nv || V[1] >= m->nv || last >= m->nv) return;
+    for (p = m->G[last], i = 0; i < 3u; i++, p = q) {
+        nook_point d = nook_sub(q = m->G[V[i]], p);
+        float square = nook_dot(d, d);
+        if (square < *least) *least = square, *best = 3u * t + (i == 2u ? 0 : i + 1u);
+    }
 }
 
 /* The shortest edge of some triangles; any, where none has gone for long. */
 static uint32_t draw_edge(nook_simplify_state *s) {
-    uint32_t best = draw_corner(s), n, i;
-    float least = square_of(s->mesh, best);
-    if (s->idle > 64u) return best;
-    for (n = 0; n < (uint32_t)DRAWN; n++) {
-        uint32_t c = n == 0 ? best : draw_corner(s);
-        for (i = 0; i < 3u; i++, c = nook_next(c)) {
-            float square = square_of(s->mesh, c);
-            if (square < least) least = square, best = c;
-        }
+    uint32_t best = draw_corner(s), c = best, n;
+    float least = 0x1p127f;
+    for (n = 0; n < (uint32_t)DRAWN && s->idle <= 64u; n++) {
+        shortest_of(s->mesh, nook_triangle(c), &best, &least);
+        c = draw_corner(s);
     }
     return best;
 }
