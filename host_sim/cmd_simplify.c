@@ -98,17 +98,8 @@ static const char *link_mesh(nook_mesh *m, const nook_simplify_goal *goal) {
     return NULL;
 }
 
-/* Where a mesh cannot stay convex at every step, as a prism whose sides no float lies in exactly, it is made so again. The hull
- * of a surface no farther than d from a convex one is itself no farther: it lies within that grown by d, and around that. */
-static nook_status simplify_convex(nook_mesh *m, nook_simplify_goal *goal) {
-    nook_status status = nook_simplify(m, goal, NULL, NULL);
-    if (status == NOOK_OK && goal->triangles != 0) return status;
-    goal->convex = false;
-    return nook_simplify(m, goal, NULL, NULL);
-}
-
-static void simplify(simplified *s, nook_mesh *m, nook_simplify_goal *goal) {
-    bool convex = goal->convex;
+/* What is convex is made so again (nook_simplify.h says why it is no farther away). */
+static void simplify(simplified *s, nook_mesh *m, nook_simplify_goal *goal, bool convex) {
     uint32_t v;
     if (convex && make_hull(m) != NOOK_OK) {
         s->refused = "no hull has a volume: the points lie in one plane";
@@ -118,7 +109,7 @@ static void simplify(simplified *s, nook_mesh *m, nook_simplify_goal *goal) {
     if (s->refused != NULL) return;
     goal->deviation = take(m->nv, sizeof *goal->deviation);
     for (v = 0; v < m->nv; v++) goal->deviation[v] = 0;
-    s->reason = convex ? simplify_convex(m, goal) : nook_simplify(m, goal, NULL, NULL);
+    s->reason = nook_simplify(m, goal, NULL, NULL);
     for (v = 0; v < m->nv; v++) {
         if (goal->deviation[v] > s->deviation) s->deviation = goal->deviation[v];
     }
@@ -185,7 +176,6 @@ static bool options_for_goal(const options *o, nook_simplify_goal *goal) {
     memset(goal, 0, sizeof *goal);
     goal->error = FLT_MAX;
     goal->outside = o->given[OPTION_OUTSIDE] || o->given[OPTION_CONVEX];
-    goal->convex = o->given[OPTION_CONVEX];
     if (o->given[OPTION_TRIANGLES] == o->given[OPTION_ERROR])
         return usage_error("simplify needs --triangles N or --error E (see nook simplify --help)", "");
     if (o->given[OPTION_OUTSIDE] && o->given[OPTION_CONVEX])
@@ -214,10 +204,10 @@ int cmd_simplify(const options *o) {
     s.out = o->operand[2];
     if (!options_for_goal(o, &goal) || !options_for_load(o, &load) || !option_format(o, s.out, &format))
         return 2;
-    if (model_load(&m, s.in, &load, 0, &f) && take_mesh(&mesh, &m.mesh, goal.convex, &f)) {
+    if (model_load(&m, s.in, &load, 0, &f) && take_mesh(&mesh, &m.mesh, o->given[OPTION_CONVEX], &f)) {
         s.vertices_in = m.mesh.nv;
         s.triangles_in = m.triangles_in;
-        simplify(&s, &mesh, &goal);
+        simplify(&s, &mesh, &goal, o->given[OPTION_CONVEX]);
         status = finish(&s, &mesh, format, o->given[OPTION_JSON]);
     } else {
         print_failure(stderr, s.in, &f);

@@ -4,15 +4,14 @@
  * which costs are, then stay in range, and a mesh 2^k times as large becomes the same, 2^k times as large. */
 #include "shape/nook_simplify.h"
 
-#include "core/nook_vector.h"
 #include "edit/nook_inner.h"
 #include "edit/nook_local.h"
+#include "shape/nook_deviation.h"
 
 enum { LOOK, DRAW, SWEEP, DONE };
 enum {
     DRAWN = 3, /* triangles drawn for an edge to be looked at: the shortest of all theirs */
     FRESH = 2, /* edges looked at for one that goes */
-    MOST = 60, /* corners around an edge */
     HELD = 32  /* and where it must be held outside */
 };
 #define ROUND                                                                                                \
@@ -22,29 +21,12 @@ enum {
 
 /* ---- what is around an edge ------------------------------------------------------------------------- */
 
-/* The sum of squared volumes, or areas, as a function of the place: x A x, about a vertex. */
-typedef struct quadric {
-    float xx, yy, zz, xy, xz, yz;
-} quadric;
-
-/* In the picture of nook_collapse(): corners at the vertices around C (end 0) and B (end 1), in chains of which any two
- * that follow each other are in one triangle, the second's. Chain 0 is B, A, and so on clockwise about C, to D or a border;
- * chain 1 is, if there was one, D and so on to the other border. Chains 2 and 3 are C, D ... A and A ... about B. */
-typedef struct ring {
-    uint32_t n, start[5];
-    bool met, open; /* the last chain has met a border; the first of an end has */
-    uint32_t v[2];  /* C, B */
-    nook_point p[2];
-    quadric a[2];
-    nook_index c[MOST + 4]; /* some are in before the first is walked to */
-} ring;
-
-static inline nook_point times(const quadric *a, nook_point v) {
+static inline nook_point times(const nook_quadric *a, nook_point v) {
     return nook_make(a->xx * v.x + a->xy * v.y + a->xz * v.z, a->xy * v.x + a->yy * v.y + a->yz * v.z,
                      a->xz * v.x + a->yz * v.y + a->zz * v.z);
 }
 
-static inline void add_normal(quadric *a, nook_point n) {
+static inline void add_normal(nook_quadric *a, nook_point n) {
     a->xx += n.x * n.x;
     a->yy += n.y * n.y;
     a->zz += n.z * n.z;
@@ -54,7 +36,7 @@ static inline void add_normal(quadric *a, nook_point n) {
 }
 
 /* The square of the area between a place and a border edge, times that of its length. */
-static void add_border(quadric *a, nook_point e) {
+static void add_border(nook_quadric *a, nook_point e) {
     float square = nook_dot(e, e);
     a->xx += square * (square - e.x * e.x);
     a->yy += square * (square - e.y * e.y);
@@ -64,27 +46,24 @@ static void add_border(quadric *a, nook_point e) {
     a->yz -= square * e.y * e.z;
 }
 
-static inline nook_point between(nook_point p, nook_point q, float scale) {
-    return nook_scaled(nook_sub(q, p), scale);
-}
-
-static bool push(ring *r, const nook_mesh *m, uint32_t c) {
+static bool push(nook_edge_ring *r, const nook_mesh *m, uint32_t c) {
     r->c[r->n++] = nook_store(c);
     return m->V[c] < m->nv;
 }
 
 /* On from the last corner across e, until e faces stop or a border. */
-static nook_status walk(ring *r, const nook_simplify_state *s, uint32_t chain, uint32_t e, uint32_t stop) {
+static nook_status walk(nook_edge_ring *r, const nook_simplify_state *s, uint32_t chain, uint32_t e,
+                        uint32_t stop) {
     const nook_mesh *m = s->mesh;
-    nook_point p = r->p[chain / 2u], u = between(p, m->G[m->V[r->c[r->n - 1u]]], s->scale), v;
-    quadric a = r->a[chain / 2u];
-    uint32_t o;
-    if ((chain & 1u) == 0) add_normal(&a, nook_cross(u, between(p, m->G[m->V[r->c[r->n - 2u]]], s->scale)));
+    nook_point p = r->p[chain / 2u], u = nook_between(p, m->G[m->V[r->c[r->n - 1u]]], s->scale), v;
+    nook_quadric a = r->a[chain / 2u];
+    uint32_t n = r->n, corners = 3u * m->nt, o, w;
+    if ((chain & 1u) == 0) add_normal(&a, nook_cross(u, nook_between(p, m->G[m->V[r->c[n - 2u]]], s->scale)));
     while ((o = m->O[e]) != stop && o != e) {
-        if (o >= 3u * m->nt || m->V[o] >= m->nv) return NOOK_BAD_OPPOSITE;
-        if (r->n >= MOST) return NOOK_TOO_MANY_TRIANGLES;
-        r->c[r->n++] = nook_store(o);
-        v = between(p, m->G[m->V[o]], s->scale);
+        if (o >= corners || (w = m->V[o]) >= m->nv) return NOOK_BAD_OPPOSITE;
+        if (n >= NOOK_RING_MOST) return NOOK_TOO_MANY_TRIANGLES;
+        r->c[n++] = nook_store(o);
+        v = nook_between(p, m->G[w], s->scale);
         add_normal(&a, nook_cross(u, v));
         u = v;
         e = (chain & 1u) != 0 ? nook_prev(o) : nook_next(o);
@@ -92,10 +71,11 @@ static nook_status walk(ring *r, const nook_simplify_state *s, uint32_t chain, u
     r->met = o != stop;
     if (r->met) add_border(&a, u);
     r->a[chain / 2u] = a;
+    r->n = n;
     return NOOK_OK;
 }
 
-NOOK_APART static nook_status gather(ring *r, const nook_simplify_state *s, uint32_t c) {
+NOOK_APART static nook_status gather(nook_edge_ring *r, const nook_simplify_state *s, uint32_t c) {
     const nook_mesh *m = s->mesh;
     uint32_t end, o = nook_across(m, c);
     r->n = 0;
@@ -106,7 +86,7 @@ NOOK_APART static nook_status gather(ring *r, const nook_simplify_state *s, uint
         if (r->v[end] >= m->nv) return NOOK_BAD_OPPOSITE;
         r->p[end] = m->G[r->v[end]];
     }
-    if (o == NOOK_NONE) add_border(&r->a[0], between(r->p[0], r->p[1], s->scale));
+    if (o == NOOK_NONE) add_border(&r->a[0], nook_between(r->p[0], r->p[1], s->scale));
     for (end = 0; end < 2u; end++) {
         uint32_t x = end == 0 ? c : o, y = end == 0 ? o : c;
         nook_status status = NOOK_OK;
@@ -128,20 +108,16 @@ NOOK_APART static nook_status gather(ring *r, const nook_simplify_state *s, uint
     return NOOK_OK;
 }
 
-static const nook_point *at_ring(const nook_mesh *m, const ring *r, uint32_t i) {
-    return &m->G[m->V[r->c[i]]];
-}
-
 /* ---- where the vertex goes --------------------------------------------------------------------------- */
 
 /* Half the edge, from its middle to B, and y A y - 2 g y of places y from its middle; A has trace 1, and so is scaled. */
 typedef struct costs {
-    quadric a, inverse; /* of A + ROUND */
+    nook_quadric a, inverse; /* of A + ROUND */
     nook_point half, g;
     float trace;
 } costs;
 
-static void invert(quadric *to, const quadric *a) {
+static void invert(nook_quadric *to, const nook_quadric *a) {
     float xx = a->xx + ROUND, yy = a->yy + ROUND, zz = a->zz + ROUND, by;
     to->xx = yy * zz - a->yz * a->yz, to->xy = a->xz * a->yz - a->xy * zz,
     to->xz = a->xy * a->yz - a->xz * yy;
@@ -151,11 +127,12 @@ static void invert(quadric *to, const quadric *a) {
 }
 
 /* About the middle, the sum of both quadrics has half the difference of both at work on the edge as its slope. */
-static void add_up(costs *f, const ring *r, float scale) {
-    const quadric *c = &r->a[0], *b = &r->a[1];
-    quadric less = {b->xx - c->xx, b->yy - c->yy, b->zz - c->zz, b->xy - c->xy, b->xz - c->xz, b->yz - c->yz};
+static void add_up(costs *f, const nook_edge_ring *r, float scale) {
+    const nook_quadric *c = &r->a[0], *b = &r->a[1];
+    nook_quadric less = {b->xx - c->xx, b->yy - c->yy, b->zz - c->zz,
+                         b->xy - c->xy, b->xz - c->xz, b->yz - c->yz};
     float by;
-    f->half = between(r->p[0], r->p[1], 0.5f * scale);
+    f->half = nook_between(r->p[0], r->p[1], 0.5f * scale);
     f->trace = b->xx + c->xx + (b->yy + c->yy) + (b->zz + c->zz) + 0x1p-100f;
     by = 1.0f / f->trace;
     f->g = nook_scaled(times(&less, f->half), by);
@@ -176,7 +153,7 @@ static nook_point least_place(const costs *f) {
     return nook_make(y.x + z.x, y.y + z.y, y.z + z.z);
 }
 
-static nook_point from_middle(const nook_simplify_state *s, const ring *r, nook_point y) {
+static nook_point from_middle(const nook_simplify_state *s, const nook_edge_ring *r, nook_point y) {
     const nook_point *c = &r->p[0], *b = &r->p[1];
     return nook_make(0.5f * (c->x + b->x) + y.x * s->unit, 0.5f * (c->y + b->y) + y.y * s->unit,
                      0.5f * (c->z + b->z) + y.z * s->unit);
@@ -184,58 +161,38 @@ static nook_point from_middle(const nook_simplify_state *s, const ring *r, nook_
 
 /* ---- outside ------------------------------------------------------------------------------------------ */
 
-/* The triangle of ring corner i, or the one across the ring from it, which must not be passed; if there is one. */
-static bool face_of(const nook_mesh *m, const ring *r, uint32_t i, bool across, const nook_point *t[3]) {
-    uint32_t end = i >= r->start[2], o;
-    if (i <= r->start[2u * end] + across) return false;
-    t[0] = &r->p[end];
-    t[1] = at_ring(m, r, i - across);
-    t[2] = at_ring(m, r, i - !across);
-    if (!across) return true;
-    o = m->O[nook_prev(r->c[i])];
-    if (o >= 3u * m->nt || m->V[o] >= m->nv) return false;
-    t[0] = &m->G[m->V[o]];
-    return true;
-}
-
-static bool is_outside(const nook_simplify_state *s, const ring *r, const nook_point *at) {
+static bool is_outside(const nook_simplify_state *s, const nook_edge_ring *r, const nook_point *at) {
     const nook_point *t[3];
-    uint32_t across, i;
-    for (across = 0; across <= s->goal->convex; across++) {
-        for (i = 0; i < r->n; i++) {
-            int wrong = across != 0 ? 1 : -1;
-            if (face_of(s->mesh, r, i, across != 0, t) && nook_orient3d(t[0], t[1], t[2], at) == wrong)
-                return false;
-        }
+    uint32_t i;
+    for (i = 0; i < r->n; i++) {
+        if (nook_ring_face(s->mesh, r, i, t) && nook_orient3d(t[0], t[1], t[2], at) < 0) return false;
     }
     return true;
 }
 
-/* The place of least cost, and by ROUND near the middle, that is a little outside: Hildreth's method, which pushes along one normal after
- * the other, in the measure of the quadric, and takes back what was too much. */
-NOOK_APART static nook_point hold_outside(const nook_simplify_state *s, const ring *r, const costs *f,
-                                          nook_point y) {
-    float pushed[2][HELD], least = 0x1p-12f * nook_length(f->half);
+/* The place of least cost, and by ROUND near the middle, that is a little outside: Hildreth's method, which pushes along
+ * one normal after the other, in the measure of the quadric, and takes back what was too much. */
+NOOK_APART static nook_point hold_outside(const nook_simplify_state *s, const nook_edge_ring *r,
+                                          const costs *f, nook_point y) {
+    float pushed[HELD], least = 0x1p-12f * nook_length(f->half);
     nook_point middle = from_middle(s, r, nook_make(0, 0, 0));
     const nook_point *t[3];
-    uint32_t i, j, still = 0;
+    uint32_t i, j;
+    bool still = false;
     memset(pushed, 0, sizeof pushed);
-    for (j = 0; j < 64u && still < 2u; j++) {
-        bool across = s->goal->convex && (j & 1u) != 0;
-        still++;
-        for (i = 0; i < r->n; i++) {
+    for (j = 0; j < 32u && !still; j++) {
+        for (still = true, i = 0; i < r->n; i++) {
             nook_point n, w;
             float by, high, steep;
-            if (!face_of(s->mesh, r, i, across, t)) continue;
-            n = nook_cross(between(*t[0], *t[1], s->scale), between(*t[0], *t[2], s->scale));
-            if (across) n = nook_scaled(n, -1.0f);
+            if (!nook_ring_face(s->mesh, r, i, t)) continue;
+            n = nook_cross(nook_between(*t[0], *t[1], s->scale), nook_between(*t[0], *t[2], s->scale));
             w = times(&f->inverse, n);
             high = least * nook_length(n);
             steep = nook_dot(n, w) + 0x1p-100f;
-            by = (nook_dot(n, between(middle, *t[0], s->scale)) - nook_dot(n, y) + high) / steep;
-            if (by < -pushed[across][i]) by = -pushed[across][i];
-            if (nook_abs(by) * steep > 0.5f * high) still = 0;
-            pushed[across][i] += by;
+            by = (nook_dot(n, nook_between(middle, *t[0], s->scale)) - nook_dot(n, y) + high) / steep;
+            if (by < -pushed[i]) by = -pushed[i];
+            if (nook_abs(by) * steep > 0.5f * high) still = false;
+            pushed[i] += by;
             y = nook_make(y.x + by * w.x, y.y + by * w.y, y.z + by * w.z);
         }
     }
@@ -243,7 +200,7 @@ NOOK_APART static nook_point hold_outside(const nook_simplify_state *s, const ri
 }
 
 /* The best of both ends and that place. */
-NOOK_APART static bool place_outside(const nook_simplify_state *s, const ring *r, const costs *f,
+NOOK_APART static bool place_outside(const nook_simplify_state *s, const nook_edge_ring *r, const costs *f,
                                      nook_point y, nook_point *at, float *cost) {
     uint32_t i;
     *cost = 0x1p127f;
@@ -262,7 +219,8 @@ NOOK_APART static bool place_outside(const nook_simplify_state *s, const ring *r
 /* ---- what must not happen ----------------------------------------------------------------------------- */
 
 /* Whether a triangle of an end would turn. Where lengths and the cosine, 2^-18 at least, leave no doubt floats do. */
-static bool turns(const nook_simplify_state *s, const ring *r, uint32_t chain, const nook_point *at) {
+static bool turns(const nook_simplify_state *s, const nook_edge_ring *r, uint32_t chain,
+                  const nook_point *at) {
     static const nook_edit asking = {.no_turn = true};
     const nook_mesh *m = s->mesh;
     const nook_point *p = &r->p[chain / 2u];
@@ -270,15 +228,15 @@ static bool turns(const nook_simplify_state *s, const ring *r, uint32_t chain, c
     nook_point u, v, x, y;
     float uu, vv, xx, yy;
     if (i >= end) return false;
-    u = between(*p, *at_ring(m, r, i), s->scale);
-    x = between(*at, *at_ring(m, r, i), s->scale);
+    u = nook_between(*p, *nook_ring_point(m, r, i), s->scale);
+    x = nook_between(*at, *nook_ring_point(m, r, i), s->scale);
     uu = nook_dot(u, u), xx = nook_dot(x, x);
     for (; ++i < end; u = v, x = y, uu = vv, xx = yy) {
-        const nook_point *w = at_ring(m, r, i - 1u), *z = at_ring(m, r, i);
+        const nook_point *w = nook_ring_point(m, r, i - 1u), *z = nook_ring_point(m, r, i);
         const nook_point *const old[4] = {p, w, z, z};
         float cosine;
-        v = between(*p, *z, s->scale);
-        y = between(*at, *z, s->scale);
+        v = nook_between(*p, *z, s->scale);
+        y = nook_between(*at, *z, s->scale);
         vv = nook_dot(v, v), yy = nook_dot(y, y);
         cosine = nook_dot(nook_cross(u, v), nook_cross(x, y));
         if (cosine > 0x1p-40f && cosine * cosine > 0x1p-36f * (uu * vv) * (xx * yy)) continue;
@@ -287,158 +245,7 @@ static bool turns(const nook_simplify_state *s, const ring *r, uint32_t chain, c
     return false;
 }
 
-/* ---- how far the surface moves ------------------------------------------------------------------------- */
-
-/* A place seen along the vector area of the ring: u, v in a coordinate plane, h across it; and the number there. */
-typedef struct seen {
-    float u, v, h, e;
-} seen;
-
-typedef struct sight {
-    const nook_simplify_state *s;
-    const ring *r;
-    nook_point at;
-    uint32_t axis;
-    float u, v;   /* how far one goes sideways, a unit of h */
-    float length; /* and how far in all */
-} sight;
-
-static seen look(const sight *l, nook_point p, float e) {
-    nook_point d = between(l->at, p, l->s->scale);
-    float h = nook_along(&d, l->axis);
-    seen o = {nook_along(&d, nook_after(l->axis)) - h * l->u,
-              nook_along(&d, nook_after(nook_after(l->axis))) - h * l->v, h, e};
-    return o;
-}
-
-static seen look_at_end(const sight *l, uint32_t end) {
-    return look(l, l->r->p[end], l->s->goal->deviation[l->r->v[end]] * l->s->scale);
-}
-
-static seen look_at_ring(const sight *l, uint32_t i) {
-    uint32_t v = l->s->mesh->V[l->r->c[i]];
-    return look(l, l->s->mesh->G[v], l->s->goal->deviation[v] * l->s->scale);
-}
-
-static float cross(seen p, seen q) { return p.u * q.v - p.v * q.u; }
-
-static seen minus(seen p, seen q) {
-    seen d = {p.u - q.u, p.v - q.v, p.h - q.h, p.e - q.e};
-    return d;
-}
-
-/* What the new vertex, seen at 0 with height 0, must have for place p of the old surface, seen at triangle 0 a b of the new: 0 if it
- * is not there. */
-static float due_in(const sight *l, seen p, seen a, seen b) {
-    float area = cross(a, b), y = cross(p, b) / area, z = cross(a, p) / area, x = 1.0f - y - z;
-    if (!(x >= -0x1p-10f && y >= -0x1p-10f && z >= -0x1p-10f)) return 0;
-    if (x < 0x1p-10f) return 0x1p100f; /* at the ring */
-    return (p.e + l->length * nook_abs(p.h - y * a.h - z * b.h) - y * a.e - z * b.e) / x;
-}
-
-/* The same the other way: the new vertex seen at triangle p a b of the old. */
-static float due_under(const sight *l, seen p, seen a, seen b) {
-    float area = cross(minus(a, p), minus(b, p)), x = cross(a, b) / area, y = cross(b, p) / area,
-          z = cross(p, a) / area;
-    if (!(x >= -0x1p-10f && y >= -0x1p-10f && z >= -0x1p-10f)) return 0;
-    return x * p.e + y * a.e + z * b.e + l->length * nook_abs(x * p.h + y * a.h + z * b.h);
-}
-
-/* And for where the old edge p w is seen to cross the new edge to z. */
-static float due_across(const sight *l, seen p, seen w, seen z) {
-    seen d = minus(w, p);
-    float area = cross(d, z), y = -cross(p, z) / area, t = -cross(p, d) / area;
-    if (!(y > 0 && y < 1 && t > 0 && t < 1)) return 0;
-    return (p.e + y * d.e + l->length * nook_abs(p.h + y * d.h - t * z.h) - t * z.e) / (1.0f - t);
-}
-
-/* Whether triangle a b c faces the way one looks, by a sixteenth of its area at least. */
-static bool faces(const sight *l, const nook_point *way, const nook_point *a, const nook_point *b,
-                  const nook_point *c) {
-    nook_point n = nook_cross(between(*a, *b, l->s->scale), between(*a, *c, l->s->scale));
-    float d = nook_dot(n, *way);
-    return d > 0 && d * d * 256.0f > nook_dot(n, n) * nook_dot(*way, *way);
-}
-
-/* Look along the vector area. Whether both surfaces lie flat over the ring, and the new once. */
-NOOK_APART static bool begin_sight(sight *l) {
-    const nook_mesh *m = l->s->mesh;
-    nook_point way = nook_make(0, 0, 0);
-    const nook_point *t[3];
-    uint32_t i, turns_of_ring = 0;
-    float by;
-    for (i = 0; i < l->r->n; i++) {
-        if (!face_of(m, l->r, i, false, t)) continue;
-        way =
-            nook_sub(way, nook_cross(between(*t[0], *t[2], l->s->scale), between(*t[0], *t[1], l->s->scale)));
-    }
-    l->axis = nook_abs(way.x) > nook_abs(way.y) ? 0 : 1u;
-    if (nook_abs(way.z) > nook_abs(nook_along(&way, l->axis))) l->axis = 2;
-    by = 1.0f / nook_along(&way, l->axis);
-    l->u = nook_along(&way, nook_after(l->axis)) * by;
-    l->v = nook_along(&way, nook_after(nook_after(l->axis))) * by;
-    l->length = nook_sqrt(1.0f + l->u * l->u + l->v * l->v);
-    for (i = 0; i < l->r->n; i++) {
-        if (!face_of(m, l->r, i, false, t)) continue;
-        if (!faces(l, &way, t[0], t[1], t[2])) return false;
-        if (i == 1u || i == l->r->start[2] + 1u) continue; /* at the edge */
-        if (!faces(l, &way, &l->at, t[1], t[2])) return false;
-        turns_of_ring += (look(l, *t[1], 0).v < 0) != (look(l, *t[2], 0).v < 0);
-    }
-    return turns_of_ring == 2u;
-}
-
 static float more(float a, float b) { return a > b ? a : b; }
-
-/* What all places of an edge to ring corner i, or of the edge itself (i beyond them), must have. */
-static float due_along(const sight *l, uint32_t end, uint32_t i) {
-    bool edge = i == l->r->n;
-    seen p = look_at_end(l, end), w = edge ? look_at_end(l, 1) : look_at_ring(l, i);
-    const nook_index *V = l->s->mesh->V;
-    uint32_t j;
-    float due = 0;
-    for (j = 1; j < l->r->n; j++) {
-        if (j == l->r->start[2]) j++;
-        if (edge || V[l->r->c[i]] != V[l->r->c[j]]) due = more(due, due_across(l, p, w, look_at_ring(l, j)));
-    }
-    return due;
-}
-
-/* By the second map. */
-static float due_straight(const sight *l) {
-    seen c = look_at_end(l, 0), b = look_at_end(l, 1);
-    float due = due_along(l, 0, l->r->n), size = nook_abs(c.u) + nook_abs(c.v) + nook_abs(c.h);
-    uint32_t i;
-    for (i = 1; i < l->r->n; i++) {
-        seen w, z;
-        if (i == l->r->start[2]) i++;
-        w = look_at_ring(l, i), z = look_at_ring(l, i - 1u);
-        size = more(size, nook_abs(w.u) + nook_abs(w.v) + nook_abs(w.h));
-        due = more(due, due_along(l, i > l->r->start[2], i));
-        due = more(due, due_under(l, i > l->r->start[2] ? b : c, w, z));
-        if (i == 1u || i == l->r->start[2] + 1u) continue;
-        due = more(due, more(due_in(l, c, w, z), due_in(l, b, w, z)));
-    }
-    return due + 0x1p-18f * l->length * size;
-}
-
-/* Of the new vertex at that place. */
-NOOK_APART static float deviation_at(const nook_simplify_state *s, const ring *r, const nook_point *at) {
-    sight l;
-    float due = 0, less;
-    uint32_t end;
-    l.s = s;
-    l.r = r;
-    l.at = *at;
-    for (end = 0; end < 2u; end++)
-        due = more(due,
-                   s->goal->deviation[r->v[end]] * s->scale + nook_length(between(r->p[end], *at, s->scale)));
-    if (!r->open && begin_sight(&l)) {
-        less = due_straight(&l);
-        if (less < due) due = less;
-    }
-    return due * s->unit * (1.0f + 0x1p-20f);
-}
 
 /* ---- edges ---------------------------------------------------------------------------------------------- */
 
@@ -449,7 +256,7 @@ typedef struct choice {
 
 /* Where the edge of c would go, for what; with all conditions, or only those that come by the way. */
 NOOK_APART static nook_status judge(const nook_simplify_state *s, uint32_t c, bool wholly, choice *to) {
-    ring r;
+    nook_edge_ring r;
     costs f;
     nook_point y;
     uint32_t i;
@@ -469,7 +276,7 @@ NOOK_APART static nook_status judge(const nook_simplify_state *s, uint32_t c, bo
     }
     if (nook_point_status(to->at) != NOOK_OK) return NOOK_NO_PLACE;
     if (s->goal->deviation == NULL) return NOOK_OK;
-    to->deviation = deviation_at(s, &r, &to->at);
+    to->deviation = nook_deviation_at(s->mesh, &r, s->goal->deviation, s->scale, to->at) * s->unit;
     return to->deviation <= s->goal->error ? NOOK_OK : NOOK_NO_PLACE;
 }
 

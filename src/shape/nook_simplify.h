@@ -1,31 +1,30 @@
 /* nook_simplify.h -- the same shape with fewer triangles.
  *
  * Edges are collapsed one by one, each to the point where the squares of the volumes between it and the triangles around it
- * have the least sum (memoryless quadrics: Lindstrom and Turk 1998; Garland and Heckbert 1997 carry theirs along). There is
- * no queue: a few edges drawn by lot are held against a pool of 16, and the best of all goes (multiple choice: Wu and
- * Kobbelt 2002). So nothing is kept for a triangle or a vertex, and no seed is taken: every machine gives the same mesh.
- * How many handles, borders and shells there are stays, and which way triangles face: each collapse is one of nook_collapse()
- * with no_turn. Borders keep their shape as the surface does, by the areas that they would sweep.
+ * have the least sum (memoryless quadrics: Lindstrom and Turk 1998; those of Garland and Heckbert 1997 are carried along).
+ * There is no queue: a few edges drawn by lot are held against a pool of 16, and the best of all goes (multiple choice: Wu
+ * and Kobbelt 2002). So nothing is kept for a triangle or a vertex; and as the lots are always the same, so is the mesh,
+ * on every machine. The numbers of handles, borders and shells stay, and the way triangles face: each collapse is one of
+ * nook_collapse() with no_turn. Borders keep their shape as the surface does, by the areas between.
  *
- * What may be asked besides
- *   deviation  [max_nv]: how far the surface has moved at most, exactly enough to rely on: see below
- *   outside    nothing that was inside comes to be outside, as a hull for collision must not
- *   convex     outside, and convex as it was: a hull of fewer triangles
+ * Levels of detail are the same mesh taken to several counts. What may be asked besides:
  *
- * Deviation. A surface comes with a number at each vertex, linear over its triangles, and there is a map of the surface it came
- * from onto it that moves no point farther than the number where it arrives. So neither is anywhere farther from the other
- * (Hausdorff distance) than the largest number, in both directions; before the first collapse all are 0, or as they came from
- * another simplification. A collapse follows that map by one of two: (1) the triangles of both ends are carried along with
- * their vertices, which moves a point by no more than its share of how far the ends go; or (2), where old and new triangles
- * both lie over the ring around them without a fold, seen along its vector area, each point goes straight along that. There
- * the gap is linear between edges of the old and the new, so it need be looked at only where these meet, and at the three
- * vertices. Rounding is added. The smaller of both becomes the number of the new vertex, all others stay.
+ * Deviation, how far the surface has moved at most. A surface comes with a number at each vertex, linear over its triangles,
+ * and there is a map of the surface it came from onto it that moves no point farther than the number where it arrives. So no
+ * point of either is farther from the other than the largest number (Hausdorff distance, both ways). Before the first
+ * collapse all are 0, or as they came from another simplification. A collapse goes on from that map by one of two:
+ *   (1) triangles are carried along with the ends of the edge, which moves a point by its share of how far these go;
+ *   (2) where old and new triangles lie over the ring around them without a fold, as seen along its vector area, each point
+ *       goes along that. The gap is then linear between the edges of old and new, so it is looked at where these cross, and
+ *       at the three vertices. Not at borders.
+ * Rounding is allowed for. The new vertex gets the smaller number of both that is enough, all others keep theirs.
  *
- * Outside. The new vertex lies on no triangle's inner side, of those around either end (progressive hulls: Sander, Gu, Gortler,
- * Hoppe and Snyder 2000). New surface less old is then the boundary of the tetrahedra from them to it, none of which is inside
- * out: the winding number grows nowhere smaller. A point that a sound mesh has inside is inside, or where the result overlaps itself, inside
- * twice: ask for nook_inside.winding >= 1. Signs are exact. Convex: nor does it lie outside any of the triangles across the ring; the
- * hull of all and the new vertex is then the new mesh. */
+ * Outside: the new vertex is on the inner side of no triangle around either end (progressive hulls: Sander, Gu, Gortler,
+ * Hoppe and Snyder 2000), exactly. The new surface less the old one is then the boundary of the tetrahedra between these
+ * triangles and the vertex, none of which is inside out, so the winding number becomes smaller nowhere. What a sound mesh
+ * had inside, and on it, is inside or on it, or, if the result overlaps itself, inside twice: ask for nook_inside.winding >= 1.
+ * For a convex one take nook_hull() of the result. If its hull was what it came from, deviation still holds: no
+ * vertex is farther than d from a convex body, so neither is their hull; and who goes outward by d from that body has left it. */
 #ifndef NOOK_SIMPLIFY_H
 #define NOOK_SIMPLIFY_H
 
@@ -36,7 +35,6 @@ typedef struct nook_simplify_goal {
     float error;        /* with deviation: none may become larger */
     float *deviation;   /* [max_nv] or null; in: usually 0, out: one for each vertex */
     bool outside;       /* for closed, oriented meshes; what is at a border stays as it is */
-    bool convex;        /* with outside, for convex ones */
 } nook_simplify_goal;
 
 enum { NOOK_SIMPLIFY_POOL = 16 };
@@ -68,7 +66,7 @@ typedef struct nook_simplify_state {
  *   NOOK_DUPLICATE_EDGE, NOOK_NONMANIFOLD_VERTEX, NOOK_DUPLICATE_TRIANGLE, NOOK_LAST_TRIANGLE  as of nook_collapse()
  *   NOOK_TURNED_TRIANGLE     a triangle would turn over
  *   NOOK_TOO_MANY_TRIANGLES  edit->max_valence, or more than 58 triangles around the edge, which is never collapsed
- *   NOOK_NO_PLACE            the deviation would be too large; outside or convex: no point was found
+ *   NOOK_NO_PLACE            the deviation would be too large, or no point outside was found
  *   NOOK_BAD_OPPOSITE, NOOK_INDEX_OUT_OF_RANGE  the tables do not hold
  * An inner edge takes two triangles with it, one at a border one: what is reached is goal->triangles, or one less.
  * Steps: nv, and then about 4 for each collapse; between two collapses never more than 11 nt + 100. A step is one edge looked at, at
