@@ -54,10 +54,10 @@ static bool take_mesh(nook_mesh *m, const nook_mesh *from, bool convex, failure 
     uint32_t i, nv = from->nv, hull = nv < 4u ? 4u : 2u * nv - 4u;
     if (!take_tables(m, nv, convex ? hull : from->nt, f)) return false;
     m->nv = nv;
-    memcpy(m->G, from->G, nv * sizeof *m->G);
+    for (i = 0; i < nv; i++) m->G[i] = from->G[i];
     if (!convex) {
         m->nt = from->nt;
-        memcpy(m->V, from->V, 3 * (size_t)m->nt * sizeof *m->V);
+        for (i = 0; i < 3u * m->nt; i++) m->V[i] = from->V[i];
         return true;
     }
     for (i = 0; i < nv; i++) m->C[i] = NOOK_STORED_NONE;

@@ -132,7 +132,7 @@ static void every_machine_simplifies_alike(void) {
 
 static void counts_are_reached_exactly_where_edges_allow(void) {
     uint32_t n;
-    for (n = 128; n >= 4; n -= SMALL ? 31 : n > 12 ? 11 : 1) {
+    for (n = 128; n - 4 <= 124; n -= SMALL ? 31 : n > 12 ? 11 : 1) {
         bumpy_sphere(2);
         goal.triangles = n;
         CHECK_EQUAL(simplify(), NOOK_OK);
@@ -231,6 +231,23 @@ static void a_larger_mesh_becomes_the_same_but_larger(void) {
     (void)simplify();
     CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
     CHECK_EQUAL(b.result.euler, 2);
+}
+
+static void no_vertex_goes_beyond_the_largest_coordinate(void) {
+    uint32_t v;
+    nook_where where = nook_at(NOOK_AT_BYTE, 1);
+    icosphere(2);
+    for (v = 0; v < b.mesh.nv; v++) b.mesh.G[v] = nook_scaled(b.mesh.G[v], NOOK_MAX_COORDINATE);
+    keep();
+    goal.triangles = 60;
+    CHECK_EQUAL(nook_simplify(&b.mesh, &goal, NULL, &where), NOOK_OK);
+    CHECK_EQUAL(where.kind, NOOK_NOWHERE);
+    is_whole();
+    for (v = 0; v < b.mesh.nv; v++) CHECK_EQUAL(nook_point_status(b.mesh.G[v]), NOOK_OK);
+    (void)simplify();
+    goal.triangles = 4; /* until all are tried */
+    (void)simplify();
+    is_whole();
 }
 
 /* ---- deviation ------------------------------------------------------------------------------------------- */
@@ -516,6 +533,7 @@ static const test tests[] = {
     TEST(every_slicing_gives_the_same),
     TEST(what_is_flat_stays_so_exactly_enough),
     TEST(a_larger_mesh_becomes_the_same_but_larger),
+    TEST(no_vertex_goes_beyond_the_largest_coordinate),
     TEST(no_place_is_farther_away_than_deviation_says),
     TEST(on_flat_faces_nothing_deviates),
     TEST(deviation_stays_with_its_vertex),

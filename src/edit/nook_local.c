@@ -371,7 +371,7 @@ NOOK_APART static uint32_t count_common(const nook_view *m, uint32_t b, uint32_t
         while (n-- > 0) common += count_equal(near, i, far[n]);
         return common;
     }
-    if (nook_ring_begin(&one, m, b) != NOOK_OK) return NOOK_NONE;
+    (void)nook_ring_begin(&one, m, b); /* where it cannot, there is no neighbour at all */
     do {
         for (n = 0; n < (uint32_t)DOZEN && (v = nook_ring_next(&one)) != NOOK_NONE; n++) near[n] = v;
         if (nook_ring_begin(&other, m, c) != NOOK_OK) return NOOK_NONE;

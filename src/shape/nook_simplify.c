@@ -413,6 +413,7 @@ static nook_status advance(nook_simplify_state *s) {
         s->phase = DRAW;
     } else if (m->nt <= s->goal->triangles) {
         s->refused = NOOK_OK;
+        s->where = nook_at(NOOK_NOWHERE, 0);
         s->phase = DONE;
     } else if (s->phase == SWEEP) {
         sweep(s);
@@ -459,6 +460,6 @@ nook_status nook_simplify(nook_mesh *mesh, const nook_simplify_goal *goal, const
         units = 64; /* any number gives the same */
         status = nook_simplify_step(&state, &units);
     } while (status == NOOK_MORE);
-    if (where != NULL && status != NOOK_OK) *where = state.where;
+    if (where != NULL) *where = state.where;
     return status;
 }
