@@ -121,7 +121,7 @@ static float due_along(const sight *l, uint32_t end, uint32_t i) {
 }
 
 /* By the second map. */
-static float due_straight(const sight *l) {
+NOOK_APART static float due_straight(const sight *l) {
     seen c = look_at_end(l, 0), b = look_at_end(l, 1);
     float due = due_along(l, 0, l->r->n), size = nook_abs(c.u) + nook_abs(c.v) + nook_abs(c.h);
     uint32_t i;

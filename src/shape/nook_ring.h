@@ -5,7 +5,7 @@
 #include "core/nook_corner.h"
 #include "core/nook_vector.h"
 
-enum { NOOK_RING_MOST = 60 }; /* corners around an edge */
+enum { NOOK_RING_MOST = 44 }; /* corners around an edge */
 
 /* The sum of squared volumes, or areas, as a function of the place: x A x, about a vertex. */
 typedef struct nook_quadric {

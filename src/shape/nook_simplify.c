@@ -12,7 +12,7 @@ enum { LOOK, DRAW, SWEEP, DONE };
 enum {
     DRAWN = 3, /* triangles drawn for an edge to be looked at: the shortest of all theirs */
     FRESH = 2, /* edges looked at for one that goes */
-    HELD = 32  /* and where it must be held outside */
+    HELD = 24  /* and where it must be held outside */
 };
 #define ROUND                                                                                                \
     0x1p-15f /* how much of a sphere every quadric has, so that it has a least place also where all is flat */
@@ -52,8 +52,8 @@ static bool push(nook_edge_ring *r, const nook_mesh *m, uint32_t c) {
 }
 
 /* On from the last corner across e, until e faces stop or a border. */
-static nook_status walk(nook_edge_ring *r, const nook_simplify_state *s, uint32_t chain, uint32_t e,
-                        uint32_t stop) {
+NOOK_APART static nook_status walk(nook_edge_ring *r, const nook_simplify_state *s, uint32_t chain,
+                                   uint32_t e, uint32_t stop) {
     const nook_mesh *m = s->mesh;
     nook_point p = r->p[chain / 2u], u = nook_between(p, m->G[m->V[r->c[r->n - 1u]]], s->scale), v;
     nook_quadric a = r->a[chain / 2u];
@@ -219,8 +219,8 @@ NOOK_APART static bool place_outside(const nook_simplify_state *s, const nook_ed
 /* ---- what must not happen ----------------------------------------------------------------------------- */
 
 /* Whether a triangle of an end would turn. Where lengths and the cosine, 2^-18 at least, leave no doubt floats do. */
-static bool turns(const nook_simplify_state *s, const nook_edge_ring *r, uint32_t chain,
-                  const nook_point *at) {
+NOOK_APART static bool turns(const nook_simplify_state *s, const nook_edge_ring *r, uint32_t chain,
+                             const nook_point *at) {
     static const nook_edit asking = {.no_turn = true};
     const nook_mesh *m = s->mesh;
     const nook_point *p = &r->p[chain / 2u];
@@ -254,23 +254,25 @@ typedef struct choice {
     float cost, deviation;
 } choice;
 
-/* Where the edge of c would go, for what; with all conditions, or only those that come by the way. */
-NOOK_APART static nook_status judge(const nook_simplify_state *s, uint32_t c, bool wholly, choice *to) {
-    nook_edge_ring r;
+/* Where the vertex goes, for what. */
+NOOK_APART static nook_status place(const nook_simplify_state *s, const nook_edge_ring *r, choice *to) {
     costs f;
     nook_point y;
+    add_up(&f, r, s->scale);
+    y = least_place(&f);
+    if (s->goal->outside) return place_outside(s, r, &f, y, &to->at, &to->cost) ? NOOK_OK : NOOK_NO_PLACE;
+    to->at = from_middle(s, r, y);
+    to->cost = cost_at(&f, y);
+    return NOOK_OK;
+}
+
+/* The same of the edge of c; with all conditions, or only those that come by the way. */
+NOOK_APART static nook_status judge(const nook_simplify_state *s, uint32_t c, bool wholly, choice *to) {
+    nook_edge_ring r;
     uint32_t i;
     nook_status status = gather(&r, s, c);
-    if (status != NOOK_OK) return status;
-    add_up(&f, &r, s->scale);
-    y = least_place(&f);
-    if (s->goal->outside) {
-        if (!place_outside(s, &r, &f, y, &to->at, &to->cost)) return NOOK_NO_PLACE;
-    } else {
-        to->at = from_middle(s, &r, y);
-        to->cost = cost_at(&f, y);
-    }
-    if (!wholly) return NOOK_OK;
+    if (status == NOOK_OK) status = place(s, &r, to);
+    if (status != NOOK_OK || !wholly) return status;
     for (i = 0; i < 4u; i++) {
         if (turns(s, &r, i, &to->at)) return NOOK_TURNED_TRIANGLE;
     }

@@ -65,7 +65,7 @@ typedef struct nook_simplify_state {
  * else goal->triangles cannot be reached: all edges were tried, and this is why the last was refused, with state->where:
  *   NOOK_DUPLICATE_EDGE, NOOK_NONMANIFOLD_VERTEX, NOOK_DUPLICATE_TRIANGLE, NOOK_LAST_TRIANGLE  as of nook_collapse()
  *   NOOK_TURNED_TRIANGLE     a triangle would turn over
- *   NOOK_TOO_MANY_TRIANGLES  edit->max_valence, or more than 58 triangles around the edge, which is never collapsed
+ *   NOOK_TOO_MANY_TRIANGLES  edit->max_valence, or more than some 40 triangles around the edge, which is never collapsed
  *   NOOK_NO_PLACE            the deviation would be too large, or no point outside was found
  *   NOOK_BAD_OPPOSITE, NOOK_INDEX_OUT_OF_RANGE  the tables do not hold
  * An inner edge takes two triangles with it, one at a border one: what is reached is goal->triangles, or one less.
