@@ -127,7 +127,7 @@ static void invert(nook_quadric *to, const nook_quadric *a) {
 }
 
 /* About the middle, the sum of both quadrics has half the difference of both at work on the edge as its slope. */
-static void add_up(costs *f, const nook_edge_ring *r, float scale) {
+NOOK_APART static void add_up(costs *f, const nook_edge_ring *r, float scale) {
     const nook_quadric *c = &r->a[0], *b = &r->a[1];
     nook_quadric less = {b->xx - c->xx, b->yy - c->yy, b->zz - c->zz,
                          b->xy - c->xy, b->xz - c->xz, b->yz - c->yz};
