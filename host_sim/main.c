@@ -13,11 +13,11 @@ static const struct {
 } commands[] = {
     {"check", cmd_check, check_help, FOR_CHECK},     {"make", cmd_make, make_help, FOR_MAKE},
     {"query", cmd_query, query_help, FOR_QUERY},     {"hull", cmd_hull, hull_help, FOR_HULL},
-    {"smooth", cmd_smooth, smooth_help, FOR_SMOOTH},
+    {"smooth", cmd_smooth, smooth_help, FOR_SMOOTH}, {"simplify", cmd_simplify, simplify_help, FOR_SIMPLIFY},
 };
 
 static const char *const planned[] = {
-    "repair", "simplify", "collide", "pack", "unpack", "verify", "robot", "boards", "run",
+    "repair", "collide", "pack", "unpack", "verify", "robot", "boards", "run",
 };
 
 static const char help[] =
@@ -29,6 +29,7 @@ static const char help[] =
     "input\n"
     "  nook hull IN OUT                         the convex hull\n"
     "  nook smooth IN OUT                       without noise\n"
+    "  nook simplify IN OUT --triangles N       fewer triangles, or as few as --error E allows\n"
     "  nook COMMAND --help                      the options of a command\n"
     "  nook --version\n"
     "\n"

@@ -11,15 +11,27 @@ static const struct {
     bool takes_value;
     unsigned commands;
 } table[OPTION_COUNT] = {
-    {"--help", false, FOR_ALL},      {"--version", false, FOR_ALL},
-    {"--json", false, FOR_MESH},     {"--weld", true, FOR_MESH},
-    {"--scale", true, FOR_MESH},     {"--require", true, FOR_CHECK},
-    {"--max-list", true, FOR_CHECK}, {"--board", true, FOR_CHECK},
-    {"--html", true, FOR_CHECK},     {"--svg", true, FOR_CHECK},
-    {"--triangles", true, FOR_MAKE}, {"--defect", true, FOR_MAKE},
-    {"-o", true, FOR_MAKE},          {"--format", true, FOR_MAKE | FOR_HULL | FOR_SMOOTH},
-    {"--budget", true, FOR_QUERY},   {"--iterations", true, FOR_SMOOTH},
-    {"--method", true, FOR_SMOOTH},  {"--slide", false, FOR_SMOOTH},
+    {"--help", false, FOR_ALL},
+    {"--version", false, FOR_ALL},
+    {"--json", false, FOR_MESH},
+    {"--weld", true, FOR_MESH},
+    {"--scale", true, FOR_MESH},
+    {"--require", true, FOR_CHECK},
+    {"--max-list", true, FOR_CHECK},
+    {"--board", true, FOR_CHECK},
+    {"--html", true, FOR_CHECK},
+    {"--svg", true, FOR_CHECK},
+    {"--triangles", true, FOR_MAKE | FOR_SIMPLIFY},
+    {"--defect", true, FOR_MAKE},
+    {"-o", true, FOR_MAKE},
+    {"--format", true, FOR_MAKE | FOR_HULL | FOR_SIMPLIFY | FOR_SMOOTH},
+    {"--budget", true, FOR_QUERY},
+    {"--error", true, FOR_SIMPLIFY},
+    {"--outside", false, FOR_SIMPLIFY},
+    {"--convex", false, FOR_SIMPLIFY},
+    {"--iterations", true, FOR_SMOOTH},
+    {"--method", true, FOR_SMOOTH},
+    {"--slide", false, FOR_SMOOTH},
 };
 
 bool usage_error(const char *what, const char *about) {
@@ -94,6 +106,13 @@ bool option_count(const options *o, option which, uint32_t *value) {
     }
     *value = (uint32_t)n;
     return true;
+}
+
+bool option_length(const options *o, option which, float *value) {
+    if (!o->given[which]) return true;
+    if (word_float(word_of(o->value[which]), value) == NOOK_OK && *value >= 0) return true;
+    (void)fprintf(stderr, "nook: %s needs a length, not '%s'\n", table[which].name, o->value[which]);
+    return false;
 }
 
 static bool parse_weld(const char *text, weld_choice *weld) {

@@ -11,7 +11,8 @@ typedef enum command_set {
     FOR_QUERY = 4,
     FOR_HULL = 8,
     FOR_SMOOTH = 16,
-    FOR_MESH = FOR_CHECK | FOR_QUERY | FOR_HULL | FOR_SMOOTH, /* reads one */
+    FOR_SIMPLIFY = 32,
+    FOR_MESH = FOR_CHECK | FOR_QUERY | FOR_HULL | FOR_SMOOTH | FOR_SIMPLIFY, /* reads one */
     FOR_ALL = FOR_MESH | FOR_MAKE
 } command_set;
 
@@ -31,6 +32,9 @@ typedef enum option {
     OPTION_OUTPUT,
     OPTION_FORMAT,
     OPTION_BUDGET,
+    OPTION_ERROR,
+    OPTION_OUTSIDE,
+    OPTION_CONVEX,
     OPTION_ITERATIONS,
     OPTION_METHOD,
     OPTION_SLIDE,
@@ -52,6 +56,7 @@ bool options_allowed(const options *o, unsigned command, const char *name);
 /* The values of single options; each false after saying what is wrong, and leaves its result alone
  * when the option was not given. */
 bool option_count(const options *o, option which, uint32_t *value);
+bool option_length(const options *o, option which, float *value); /* 0 or more */
 bool options_for_load(const options *o, load_options *load);
 /* The format to write: as --format says, or as out ends. */
 bool option_format(const options *o, const char *out, file_format *format);

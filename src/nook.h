@@ -107,10 +107,12 @@ extern "C" {
 #include "edit/nook_whole.h" /* reverse a shell, split vertices, reorder triangles */
 
 /* shape: change a mesh as a whole, by edits */
-#include "shape/nook_hull.h"   /* convex hull of points */
-#include "shape/nook_levels.h" /* coarser and finer, to the last bit */
-#include "shape/nook_smooth.h" /* noise away, Laplace or Taubin */
-#include "shape/nook_orient.h" /* triangles that agree, solids that face outward */
+#include "shape/nook_hull.h"     /* convex hull of points */
+#include "shape/nook_levels.h"   /* coarser and finer, to the last bit */
+#include "shape/nook_smooth.h"   /* noise away, Laplace or Taubin */
+#include "shape/nook_orient.h"   /* triangles that agree, solids that face outward */
+#include "shape/nook_hull.h"     /* convex hull of points */
+#include "shape/nook_simplify.h" /* fewer triangles */
 
 #ifdef __cplusplus
 }
@@ -143,6 +145,7 @@ extern "C" {
  * corner, corner table        nook_view: V, O
  * crease, hard edge           nook_creases
  * cut, cut open               nook_cut (an edge that reaches the border); nook_split_vertex
+ * decimation                  nook_simplify
  * delete vertex               nook_remove_vertex
  * depth-first search, Visit   nook_flood
  * dual graph                  its links are nook_opposite
@@ -180,6 +183,7 @@ extern "C" {
  * label vertices              nook_flood_new_vertices
  * left, right face            nook_left_face, nook_right_face
  * level of detail             nook_levels
+ * level of detail             discrete: nook_simplify to several counts; continuous to come; nook_collapse and nook_split_vertex are its steps
  * lone edge                   !nook_is_halfedge
  * manifold                    nook_check_result.manifold
  * marks Mt, Mv                nook_marks
@@ -215,6 +219,8 @@ extern "C" {
  * signed distance             nook_signed_distance
  * simple mesh                 nook_check_result.simple
  * smooth a shell              nook_smooth
+ * simplify                    nook_simplify; for collision: nook_simplify_goal.outside
+ * smooth a shell              to come
  * soup                        nook_mesh_append, nook_weld
  * spanning tree (TST, VST)    nook_trees
  * split non-manifold vertices nook_split_fans

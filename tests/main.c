@@ -26,6 +26,7 @@ int main(void) {
     test_levels();
     test_smooth();
     test_orient();
+    test_simplify();
     test_query();
     test_bvh();
     test_meet();

@@ -19,6 +19,7 @@ void test_hull(void);
 void test_levels(void);
 void test_smooth(void);
 void test_orient(void);
+void test_simplify(void);
 void test_query(void);
 void test_bvh(void);
 void test_meet(void);

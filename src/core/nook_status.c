@@ -36,6 +36,7 @@ static const char *const names[NOOK_STATUS_COUNT][2] = {
     {"interior_vertex", "vertex that is not at a border"},
     {"too_many_triangles", "a vertex would have more triangles than the limit"},
     {"turned_triangle", "a triangle would turn over or lose its area"},
+    {"no_place", "a vertex has no place that keeps what was asked of the surface"},
     {"bad_number", "not a number"},
     {"bad_syntax", "unexpected word"},
     {"truncated", "the input ends too early"},

@@ -50,6 +50,7 @@ typedef enum nook_status {
     NOOK_INTERIOR_VERTEX,    /* a vertex that is not at a border, where one that is is required */
     NOOK_TOO_MANY_TRIANGLES, /* a vertex would come to have more triangles than the limit */
     NOOK_TURNED_TRIANGLE,    /* a triangle would turn over, or lose its area */
+    NOOK_NO_PLACE, /* a vertex has no place where the surface is as near, as far out, or as convex as asked */
 
     /* Bytes that cannot be read. where: the byte, or the line of a text format */
     NOOK_BAD_NUMBER,     /* not a decimal number */

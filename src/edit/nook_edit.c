@@ -185,12 +185,20 @@ void nook_drop_triangles(nook_mesh *m, uint32_t t, uint32_t u, const nook_edit *
     nook_drop_triangle(m, t > u ? u : t, edit);
 }
 
+/* Once round, or to both borders. Each is renamed when turning has gone on from it, and c last, so that it is known again. */
 void nook_rename_fan(nook_mesh *m, uint32_t c, uint32_t v) {
     nook_view view = nook_view_of(m);
-    nook_star star;
-    /* Each is renamed when the star has gone on from it. */
-    if (nook_star_begin(&star, &view, c, false) != NOOK_OK) return; /* a vertex of no triangle */
-    while ((c = nook_star_next(&star)) != NOOK_NONE) m->V[c] = nook_store(v);
+    uint32_t x, next, left = m->nt;
+    if (c >= 3u * m->nt) return; /* a vertex of no triangle */
+    for (x = nook_turn(&view, c, false); x != NOOK_NONE && x != c && left-- > 0; x = next) {
+        next = nook_turn(&view, x, false);
+        m->V[x] = nook_store(v);
+    }
+    for (x = x == NOOK_NONE ? nook_turn(&view, c, true) : NOOK_NONE; x != NOOK_NONE && left-- > 0; x = next) {
+        next = nook_turn(&view, x, true);
+        m->V[x] = nook_store(v);
+    }
+    m->V[c] = nook_store(v);
 }
 
 void nook_move_vertex(nook_mesh *m, uint32_t from, uint32_t to, const nook_edit *edit) {

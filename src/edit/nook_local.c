@@ -392,19 +392,41 @@ nook_status nook_split_vertex(nook_mesh *m, uint32_t c, uint32_t d, nook_point a
 
 /* ---- collapse -------------------------------------------------------------------------------------- */
 
+enum { DOZEN = 12 };
+
+/* The neighbours of a vertex whose fan is closed and has a dozen triangles at most; else 0. */
+static uint32_t list_round(const nook_view *m, uint32_t c, uint32_t *near) {
+    uint32_t n = 0, x = c;
+    do {
+        if (n == (uint32_t)DOZEN) return 0;
+        near[n++] = m->V[nook_next(x)];
+        x = nook_turn(m, x, false);
+    } while (x != NOOK_NONE && x != c);
+    return x == c ? n : 0;
+}
+
+static uint32_t count_equal(const uint32_t *one, uint32_t n, uint32_t v) {
+    uint32_t i, equal = 0;
+    for (i = 0; i < n; i++) equal += one[i] == v;
+    return equal;
+}
+
 /* How many neighbours B and C have in common, from their corners at the edge; those of B by the dozen, so that the
  * fan of C is walked once for most. */
 NOOK_APART static uint32_t count_common(const nook_view *m, uint32_t b, uint32_t c) {
-    enum { DOZEN = 12 };
     nook_ring one, other;
-    uint32_t near[DOZEN], n, i, v, common = 0;
-    if (nook_ring_begin(&one, m, b) != NOOK_OK) return NOOK_NONE;
+    uint32_t near[DOZEN], far[DOZEN], n, i, v, common = 0;
+    i = list_round(m, b, near);
+    n = i == 0 ? 0 : list_round(m, c, far);
+    if (n != 0) {
+        while (n-- > 0) common += count_equal(near, i, far[n]);
+        return common;
+    }
+    (void)nook_ring_begin(&one, m, b); /* where it cannot, there is no neighbour at all */
     do {
         for (n = 0; n < (uint32_t)DOZEN && (v = nook_ring_next(&one)) != NOOK_NONE; n++) near[n] = v;
         if (nook_ring_begin(&other, m, c) != NOOK_OK) return NOOK_NONE;
-        while ((v = nook_ring_next(&other)) != NOOK_NONE) {
-            for (i = 0; i < n; i++) common += near[i] == v;
-        }
+        while ((v = nook_ring_next(&other)) != NOOK_NONE) common += count_equal(near, n, v);
     } while (n == (uint32_t)DOZEN);
     return common;
 }

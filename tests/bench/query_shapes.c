@@ -185,6 +185,31 @@ static void icosphere(shape *s, uint32_t levels) {
     free(soup);
 }
 
+/* The same with bumps; and a sheet of 2 n n triangles with waves and a border. */
+static void bumpy(shape *s, uint32_t levels) {
+    icosphere(s, levels);
+    for (uint32_t v = 0; v < s->nv; v++) {
+        spot *p = s->G + v;
+        const double r =
+            1 + 0.1 * sin(6.0 * (double)p->x) * sin(6.0 * (double)p->y + 1) * sin(6.0 * (double)p->z + 2);
+        const spot at = {(float)((double)p->x * r), (float)((double)p->y * r), (float)((double)p->z * r)};
+        *p = at;
+    }
+}
+
+static void sheet(shape *s, uint32_t n) {
+    shape_room(s, (n + 1u) * (n + 1u), 2u * n * n);
+    for (uint32_t i = 0; i < (n + 1u) * (n + 1u); i++) {
+        const double x = 2.0 * (i % (n + 1u)) / n - 1, y = 2.0 * (i / (n + 1u)) / n - 1;
+        point(s, x, y, 0.1 * sin(5 * x) * cos(4 * y));
+    }
+    for (uint32_t i = 0; i < n * (n + 1u); i++) {
+        if (i % (n + 1u) == n) continue;
+        triangle(s, i, i + 1u, i + n + 2u);
+        triangle(s, i, i + n + 2u, i + n + 1u);
+    }
+}
+
 /* ---- all --------------------------------------------------------------------------------------------- */
 typedef struct side {
     uint32_t low, high;
@@ -248,6 +273,10 @@ bool shape_make(shape *s, const char *name) {
         capsule(s, 100, 50);
     else if (strcmp(name, "sphere20k") == 0)
         icosphere(s, 5);
+    else if (strcmp(name, "bumpy20k") == 0)
+        bumpy(s, 5);
+    else if (strcmp(name, "sheet20k") == 0)
+        sheet(s, 100);
     else
         return false;
     finish(s);

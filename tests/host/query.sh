@@ -193,7 +193,7 @@ ask 'a budget that suffices changes nothing' '{"point":[2,0.5,0.25]}' "$far" --b
 torus=$dir/torus.off
 number='-\{0,1\}[0-9.e+-]*' place='\(null\|\[[^]]*\]\)'
 bounds="\"complete\":false,\"distance_min\":$number,\"distance_max\":$number,\"closest\":$place"
-matches 'a point without a step' '{"point":[3,0.5,0.25]}' "^{\"side\":null,$bounds,\"triangle\":[0-9nul]*}\$" --budget 0 "$torus"
+matches 'a point without a step' '{"point":[0.5,0.25,0.125]}' "^{\"side\":null,$bounds,\"triangle\":[0-9nul]*}\$" --budget 0 "$torus"
 matches 'without an inside all steps are for the distance' '{"point":[0.5,0.25,0.5]}' '^{"side":null,"distance":0.25,' --budget 6 "$dir/open.obj"
 ray='{"ray":{"origin":[3,0.25,0.125],"direction":[-1,0,0]}}'
 matches 'a ray without a step' "$ray" "^{\"hit\":null,\"complete\":false,\"t_min\":$number,\"t\":null,\"triangle\":null}\$" --budget 0 "$torus"

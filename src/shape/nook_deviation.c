@@ -1,0 +1,159 @@
+/* nook_deviation.c -- the two maps of nook_simplify.h, and which of them moves less. */
+#include "shape/nook_deviation.h"
+
+#include "exact/nook_exact.h"
+
+/* A place seen along the vector area of the ring: u, v in a coordinate plane, h across it; and the number there. */
+typedef struct seen {
+    float u, v, h, e;
+} seen;
+
+typedef struct sight {
+    const nook_mesh *m;
+    const float *deviation;
+    float scale;
+    const nook_edge_ring *r;
+    nook_point at;
+    uint32_t axis;
+    float u, v;   /* how far one goes sideways, a unit of h */
+    float length; /* and how far in all */
+} sight;
+
+static seen look(const sight *l, nook_point p, float e) {
+    nook_point d = nook_between(l->at, p, l->scale);
+    float h = nook_along(&d, l->axis);
+    seen o = {nook_along(&d, nook_after(l->axis)) - h * l->u,
+              nook_along(&d, nook_after(nook_after(l->axis))) - h * l->v, h, e};
+    return o;
+}
+
+static seen look_at_end(const sight *l, uint32_t end) {
+    return look(l, l->r->p[end], l->deviation[l->r->v[end]] * l->scale);
+}
+
+static seen look_at_ring(const sight *l, uint32_t i) {
+    uint32_t v = l->m->V[l->r->c[i]];
+    return look(l, l->m->G[v], l->deviation[v] * l->scale);
+}
+
+static float cross(seen p, seen q) { return p.u * q.v - p.v * q.u; }
+
+static seen minus(seen p, seen q) {
+    seen d = {p.u - q.u, p.v - q.v, p.h - q.h, p.e - q.e};
+    return d;
+}
+
+/* What the new vertex, seen at 0 with height 0, must have for place p of the old surface, seen at triangle 0 a b of the new: 0 if it
+ * is not there. */
+static float due_in(const sight *l, seen p, seen a, seen b) {
+    float area = cross(a, b), y = cross(p, b) / area, z = cross(a, p) / area, x = 1.0f - y - z;
+    if (!(x >= -0x1p-10f && y >= -0x1p-10f && z >= -0x1p-10f)) return 0;
+    if (x < 0x1p-10f) return 0x1p100f; /* at the ring */
+    return (p.e + l->length * nook_abs(p.h - y * a.h - z * b.h) - y * a.e - z * b.e) / x;
+}
+
+/* The same the other way: the new vertex seen at triangle p a b of the old. */
+static float due_under(const sight *l, seen p, seen a, seen b) {
+    float area = cross(minus(a, p), minus(b, p)), x = cross(a, b) / area, y = cross(b, p) / area,
+          z = cross(p, a) / area;
+    if (!(x >= -0x1p-10f && y >= -0x1p-10f && z >= -0x1p-10f)) return 0;
+    return x * p.e + y * a.e + z * b.e + l->length * nook_abs(x * p.h + y * a.h + z * b.h);
+}
+
+/* And for where the old edge p w is seen to cross the new edge to z. */
+static float due_across(const sight *l, seen p, seen w, seen z) {
+    seen d = minus(w, p);
+    float area = cross(d, z), y = -cross(p, z) / area, t = -cross(p, d) / area;
+    if (!(y > 0 && y < 1 && t > 0 && t < 1)) return 0;
+    return (p.e + y * d.e + l->length * nook_abs(p.h + y * d.h - t * z.h) - t * z.e) / (1.0f - t);
+}
+
+/* Whether triangle a b c faces the way one looks, by a sixteenth of its area at least. */
+static bool faces(const sight *l, const nook_point *way, const nook_point *a, const nook_point *b,
+                  const nook_point *c) {
+    nook_point n = nook_cross(nook_between(*a, *b, l->scale), nook_between(*a, *c, l->scale));
+    float d = nook_dot(n, *way);
+    return d > 0 && d * d * 256.0f > nook_dot(n, n) * nook_dot(*way, *way);
+}
+
+/* Look along the vector area. Whether both surfaces lie flat over the ring, and the new once. */
+NOOK_APART static bool begin_sight(sight *l) {
+    const nook_mesh *m = l->m;
+    nook_point way = nook_make(0, 0, 0);
+    const nook_point *t[3];
+    uint32_t i, turns_of_ring = 0;
+    float by;
+    for (i = 0; i < l->r->n; i++) {
+        if (!nook_ring_face(m, l->r, i, t)) continue;
+        way = nook_sub(
+            way, nook_cross(nook_between(*t[0], *t[2], l->scale), nook_between(*t[0], *t[1], l->scale)));
+    }
+    l->axis = nook_abs(way.x) > nook_abs(way.y) ? 0 : 1u;
+    if (nook_abs(way.z) > nook_abs(nook_along(&way, l->axis))) l->axis = 2;
+    by = 1.0f / nook_along(&way, l->axis);
+    l->u = nook_along(&way, nook_after(l->axis)) * by;
+    l->v = nook_along(&way, nook_after(nook_after(l->axis))) * by;
+    l->length = nook_sqrt(1.0f + l->u * l->u + l->v * l->v);
+    for (i = 0; i < l->r->n; i++) {
+        if (!nook_ring_face(m, l->r, i, t)) continue;
+        if (!faces(l, &way, t[0], t[1], t[2])) return false;
+        if (i == 1u || i == l->r->start[2] + 1u) continue; /* at the edge */
+        if (!faces(l, &way, &l->at, t[1], t[2])) return false;
+        turns_of_ring += (look(l, *t[1], 0).v < 0) != (look(l, *t[2], 0).v < 0);
+    }
+    return turns_of_ring == 2u;
+}
+
+static float more(float a, float b) { return a > b ? a : b; }
+
+/* What all places of an edge to ring corner i, or of the edge itself (i beyond them), must have. */
+static float due_along(const sight *l, uint32_t end, uint32_t i) {
+    bool edge = i == l->r->n;
+    seen p = look_at_end(l, end), w = edge ? look_at_end(l, 1) : look_at_ring(l, i);
+    const nook_index *V = l->m->V;
+    uint32_t j;
+    float due = 0;
+    for (j = 1; j < l->r->n; j++) {
+        if (j == l->r->start[2]) j++;
+        if (edge || V[l->r->c[i]] != V[l->r->c[j]]) due = more(due, due_across(l, p, w, look_at_ring(l, j)));
+    }
+    return due;
+}
+
+/* By the second map. */
+NOOK_APART static float due_straight(const sight *l) {
+    seen c = look_at_end(l, 0), b = look_at_end(l, 1);
+    float due = due_along(l, 0, l->r->n), size = nook_abs(c.u) + nook_abs(c.v) + nook_abs(c.h);
+    uint32_t i;
+    for (i = 1; i < l->r->n; i++) {
+        seen w, z;
+        if (i == l->r->start[2]) i++;
+        w = look_at_ring(l, i), z = look_at_ring(l, i - 1u);
+        size = more(size, nook_abs(w.u) + nook_abs(w.v) + nook_abs(w.h));
+        due = more(due, due_along(l, i > l->r->start[2], i));
+        due = more(due, due_under(l, i > l->r->start[2] ? b : c, w, z));
+        if (i == 1u || i == l->r->start[2] + 1u) continue;
+        due = more(due, more(due_in(l, c, w, z), due_in(l, b, w, z)));
+    }
+    return due + 0x1p-18f * l->length * size;
+}
+
+/* Of the new vertex at that place. */
+float nook_deviation_at(const nook_mesh *m, const nook_edge_ring *r, const float *deviation, float scale,
+                        nook_point at) {
+    sight l;
+    float due = 0, less;
+    uint32_t end;
+    l.m = m;
+    l.r = r;
+    l.deviation = deviation;
+    l.scale = scale;
+    l.at = at;
+    for (end = 0; end < 2u; end++)
+        due = more(due, deviation[r->v[end]] * scale + nook_length(nook_between(r->p[end], at, scale)));
+    if (!r->open && begin_sight(&l)) {
+        less = due_straight(&l);
+        if (less < due) due = less;
+    }
+    return due * (1.0f + 0x1p-20f);
+}

@@ -1,0 +1,81 @@
+/* nook_simplify.h -- the same shape with fewer triangles.
+ *
+ * Edges are collapsed one by one, each to the point where the squares of the volumes between it and the triangles around it
+ * have the least sum (memoryless quadrics: Lindstrom and Turk 1998; those of Garland and Heckbert 1997 are carried along).
+ * There is no queue: a few edges drawn by lot are held against a pool of 16, and the best of all goes (multiple choice: Wu
+ * and Kobbelt 2002). So nothing is kept for a triangle or a vertex; and as the lots are always the same, so is the mesh,
+ * on every machine. The numbers of handles, borders and shells stay, and the way triangles face: each collapse is one of
+ * nook_collapse() with no_turn. Borders keep their shape as the surface does, by the areas between.
+ *
+ * Levels of detail are the same mesh taken to several counts. What may be asked besides:
+ *
+ * Deviation, how far the surface has moved at most. A surface comes with a number at each vertex, linear over its triangles,
+ * and there is a map of the surface it came from onto it that moves no point farther than the number where it arrives. So no
+ * point of either is farther from the other than the largest number (Hausdorff distance, both ways). Before the first
+ * collapse all are 0, or as they came from another simplification. A collapse goes on from that map by one of two:
+ *   (1) triangles are carried along with the ends of the edge, which moves a point by its share of how far these go;
+ *   (2) where old and new triangles lie over the ring around them without a fold, as seen along its vector area, each point
+ *       goes along that. The gap is then linear between the edges of old and new, so it is looked at where these cross, and
+ *       at the three vertices. Not at borders.
+ * Rounding is allowed for. The new vertex gets the smaller number of both that is enough, all others keep theirs.
+ *
+ * Outside: the new vertex is on the inner side of no triangle around either end (progressive hulls: Sander, Gu, Gortler,
+ * Hoppe and Snyder 2000), exactly. The new surface less the old one is then the boundary of the tetrahedra between these
+ * triangles and the vertex, none of which is inside out, so the winding number becomes smaller nowhere. What a sound mesh
+ * had inside, and on it, is inside or on it, or, if the result overlaps itself, inside twice: ask for nook_inside.winding >= 1.
+ * For a convex one take nook_hull() of the result. If its hull was what it came from, deviation still holds: no
+ * vertex is farther than d from a convex body, so neither is their hull; and who goes outward by d from that body has left it. */
+#ifndef NOOK_SIMPLIFY_H
+#define NOOK_SIMPLIFY_H
+
+#include "edit/nook_edit.h"
+
+typedef struct nook_simplify_goal {
+    uint32_t triangles; /* stop at so many or less; 0: as few as all else allows */
+    float error;        /* with deviation: none may become larger */
+    float *deviation;   /* [max_nv] or null; in: usually 0, out: one for each vertex */
+    bool outside;       /* for closed, oriented meshes; what is at a border stays as it is */
+} nook_simplify_goal;
+
+enum { NOOK_SIMPLIFY_POOL = 16 };
+
+typedef struct nook_simplify_state {
+    nook_mesh *mesh;
+    const nook_edit *edit;
+    const nook_simplify_goal *goal;
+    nook_status refused;  /* why the last edge that was refused was, */
+    nook_where where;     /* and its corner; or the vertex of an error */
+    uint32_t phase, at;   /* of a pass: the vertex or corner to come */
+    uint32_t fresh, idle; /* edges drawn since the last round; since the last collapse */
+    uint32_t dice, pooled;
+    float extent;      /* of the mesh, the larger of a coordinate */
+    float scale, unit; /* powers of two: the extent, scaled, is near 1024; and back */
+    struct {
+        float cost;
+        uint32_t c;
+    } pool[NOOK_SIMPLIFY_POOL]; /* the worst first. Edges may have changed since, or be none */
+} nook_simplify_state;
+
+/* Simplify a linked manifold mesh, and all that edit takes along with it.
+ *   edit  max_valence is respected; no_turn is always asked. Or null
+ *   goal  must stay until the end
+ *   NOOK_OK              done: goal->triangles are reached, or that is 0 and nothing more can go
+ *   NOOK_NULL_ARGUMENT   mesh, goal
+ *   NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE  state->where: the vertex. Nothing was changed
+ * else goal->triangles cannot be reached: all edges were tried, and this is why the last was refused, with state->where:
+ *   NOOK_DUPLICATE_EDGE, NOOK_NONMANIFOLD_VERTEX, NOOK_DUPLICATE_TRIANGLE, NOOK_LAST_TRIANGLE  as of nook_collapse()
+ *   NOOK_TURNED_TRIANGLE     a triangle would turn over
+ *   NOOK_TOO_MANY_TRIANGLES  edit->max_valence, or more than some 40 triangles around the edge, which is never collapsed
+ *   NOOK_NO_PLACE            the deviation would be too large, or no point outside was found
+ *   NOOK_BAD_OPPOSITE, NOOK_INDEX_OUT_OF_RANGE  the tables do not hold
+ * An inner edge takes two triangles with it, one at a border one: what is reached is goal->triangles, or one less.
+ * Steps: nv, and then about 4 for each collapse; between two collapses never more than 11 nt + 100. A step is one edge looked at, at
+ * most one collapsed. */
+nook_status nook_simplify_begin(nook_simplify_state *state, nook_mesh *mesh, const nook_simplify_goal *goal,
+                                const nook_edit *edit);
+nook_status nook_simplify_step(nook_simplify_state *state, uint32_t *units);
+/* where may be null. */
+nook_status nook_simplify(nook_mesh *mesh, const nook_simplify_goal *goal, const nook_edit *edit,
+                          nook_where *where);
+
+#endif
