@@ -527,6 +527,32 @@ static void spoiled_tables_end(void) {
     }
 }
 
+/* The same mesh with a record as without; back to the first, and forth again. */
+static void a_record_takes_every_collapse_back(void) {
+    static nook_vertex_split split[SMALL ? 40 : 160];
+    nook_levels levels = nook_levels_in(split, sizeof split / sizeof *split);
+    uint32_t fine, coarse, units = 1000;
+    bumpy_sphere(SMALL ? 1 : 2);
+    fine = digest();
+    goal.triangles = b.mesh.nt / 2;
+    CHECK_EQUAL(simplify(), NOOK_OK);
+    coarse = digest();
+    restore();
+    goal.levels = &levels;
+    CHECK_EQUAL(simplify(), NOOK_OK);
+    CHECK_EQUAL(digest(), coarse);
+    CHECK_EQUAL(nook_levels_step(&levels, &b.mesh, kept_nt, NULL, &units), NOOK_OK);
+    CHECK_EQUAL(digest(), fine);
+    CHECK_EQUAL(nook_levels_step(&levels, &b.mesh, goal.triangles, NULL, &units), NOOK_OK);
+    CHECK_EQUAL(digest(), coarse);
+    levels = nook_levels_in(split, 2);
+    goal.triangles = 0;
+    CHECK_EQUAL(simplify(), NOOK_OK); /* as few as can be, with a record of two */
+    CHECK_EQUAL(levels.level, 2);
+    goal.triangles = 4;
+    CHECK_EQUAL(simplify(), NOOK_NO_CAPACITY);
+}
+
 static const test tests[] = {
     TEST(every_machine_simplifies_alike),
     TEST(counts_are_reached_exactly_where_edges_allow),
@@ -543,6 +569,7 @@ static const test tests[] = {
     TEST(a_count_that_cannot_be_reached_is_told_with_the_reason),
     TEST(no_vertex_gets_more_triangles_than_allowed),
     TEST(a_point_that_cannot_be_used_is_named_and_nothing_changed),
+    TEST(a_record_takes_every_collapse_back),
     TEST(spoiled_tables_end),
 };
 

@@ -10,7 +10,7 @@ static bool is_gone(const nook_change *g, uint32_t t) {
 }
 
 static bool has_vertex(const nook_change *g, uint32_t t, uint32_t v) {
-    const nook_index *V = &g->view.V[3u * t];
+    const nook_index *V = g->view.V + (size_t)3 * t;
     return V[0] == v || V[1] == v || V[2] == v;
 }
 

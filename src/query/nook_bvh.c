@@ -406,24 +406,26 @@ nook_status nook_bvh_step(nook_bvh_state *s, uint32_t *units) {
     return NOOK_OK;
 }
 
-static nook_status finish(nook_bvh_state *s, nook_status status) {
-    while (status == NOOK_OK && s->phase != BUILT) {
+static nook_status finish(nook_bvh_state *s) {
+    nook_status status;
+    do {
         uint32_t units = 1u << 10;
         status = nook_bvh_step(s, &units);
-        if (status == NOOK_MORE) status = NOOK_OK;
-    }
+    } while (status == NOOK_MORE);
     return status;
 }
 
 nook_status nook_bvh_build(nook_bvh *bvh, const nook_view *view, nook_boxes *boxes, nook_index *order,
                            nook_where *where) {
     nook_bvh_state state;
-    return finish(&state, nook_bvh_begin(&state, bvh, view, boxes, order, where));
+    nook_status status = nook_bvh_begin(&state, bvh, view, boxes, order, where);
+    return status == NOOK_OK ? finish(&state) : status;
 }
 
 nook_status nook_bvh_refit(nook_bvh *bvh, nook_boxes *boxes, nook_where *where) {
     nook_bvh_state state;
-    return finish(&state, nook_bvh_refit_begin(&state, bvh, boxes, where));
+    nook_status status = nook_bvh_refit_begin(&state, bvh, boxes, where);
+    return status == NOOK_OK ? finish(&state) : status;
 }
 
 /* ---- widening -------------------------------------------------------------------------------------- */

@@ -33,7 +33,7 @@ static inline uint32_t nook_entry(float least, uint32_t child) {
 /* The entry of a child that can hold bound or less is above this; no number bounds nothing. */
 static inline uint32_t nook_limit(float bound) {
     uint32_t least = nook_float_bits(bound) << 1 >> 18;
-    return least < 0x3FFFu ? 0xFFFBu - 4u * least : 0;
+    return 0xFFFBu - 4u * (least - (least == 0x3FFFu));
 }
 
 /* At the root, which is still to be looked at. */

@@ -79,6 +79,7 @@ static inline nook_flags nook_all_flags(void) {
     nook_flags all = {-1, -1, -1, -1};
     return all;
 }
+static inline float nook_lane(nook_lanes a, uint32_t k) { return a[k]; }
 #else
 typedef float nook_lanes;
 typedef int nook_flags;
@@ -92,6 +93,10 @@ static inline uint32_t nook_set_entries(uint32_t *entry, uint32_t child, nook_fl
     return (uint32_t)(some != 0) << child;
 }
 
+static inline float nook_lane(nook_lanes a, uint32_t k) {
+    (void)k;
+    return a;
+}
 static inline nook_flags nook_all_flags(void) { return -1; }
 static inline nook_lanes nook_choose(nook_flags flags, nook_lanes a, nook_lanes b) { return flags ? a : b; }
 static inline nook_flags nook_not(nook_flags flags) { return !flags; }
@@ -99,7 +104,6 @@ static inline uint32_t nook_bits(nook_flags flags) { return flags != 0; }
 #endif
 
 static inline bool nook_flag(nook_flags flags, uint32_t k) { return (nook_bits(flags) >> k & 1u) != 0; }
-static inline float nook_lane(nook_lanes a, uint32_t k) { return ((const float *)&a)[k]; }
 static inline bool nook_any_flag(nook_flags flags) { return nook_bits(flags) != 0; }
 
 /* a > b ? a : b, and a < b ? a : b, also where one is no number. */
@@ -167,13 +171,6 @@ static inline void nook_visit_overlap(nook_descent *d, const nook_bvh *bvh, cons
     some = some >> skip << skip;
     for (i = 0; i < 4u; i++) entry[i] = (some >> i & 1u) != 0 ? nook_entry(0, i) : NOOK_UP;
     nook_descent_push(d, bvh->places, some, entry);
-}
-
-/* From memory, as many as there are lanes. */
-static inline nook_lanes nook_lanes_at(const float *from) {
-    nook_lanes a;
-    memcpy(&a, from, sizeof a);
-    return a;
 }
 
 typedef struct nook_vectors {

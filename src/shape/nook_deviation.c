@@ -60,12 +60,12 @@ static float due_under(const sight *l, seen p, seen a, seen b) {
     return x * p.e + y * a.e + z * b.e + l->length * nook_abs(x * p.h + y * a.h + z * b.h);
 }
 
-/* And for where the old edge p w is seen to cross the new edge to z. */
+/* And for where the old edge p w is seen to cross the new edge to z, which is within the ring but for rounding. */
 static float due_across(const sight *l, seen p, seen w, seen z) {
     seen d = minus(w, p);
     float area = cross(d, z), y = -cross(p, z) / area, t = -cross(p, d) / area;
-    if (!(y > 0 && y < 1 && t > 0 && t < 1)) return 0;
-    return (p.e + y * d.e + l->length * nook_abs(p.h + y * d.h - t * z.h) - t * z.e) / (1.0f - t);
+    if (!(y > 0 && y < 1 && t > 0)) return 0;
+    return (p.e + y * d.e + l->length * nook_abs(p.h + y * d.h - t * z.h) - t * z.e) / nook_abs(1.0f - t);
 }
 
 /* Whether triangle a b c faces the way one looks, by a sixteenth of its area at least. */

@@ -221,8 +221,7 @@ static nook_status look_at_pairs(nook_orient_shells_state *s, uint32_t *units) {
         s->at = 3u * t;
         if (!touch(&s->bvh->view, t, u)) return NOOK_SELF_INTERSECTION;
         nook_tell(s->finder, NOOK_SELF_INTERSECTION, NOOK_AT_TRIANGLE, t);
-        if (*units == 0) return NOOK_MORE;
-        --*units;
+        *units -= *units != 0;
     }
 }
 

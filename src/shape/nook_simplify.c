@@ -231,16 +231,18 @@ NOOK_APART static bool turns(const nook_simplify_state *s, const nook_edge_ring 
     u = nook_between(*p, *nook_ring_point(m, r, i), s->scale);
     x = nook_between(*at, *nook_ring_point(m, r, i), s->scale);
     uu = nook_dot(u, u), xx = nook_dot(x, x);
-    for (; ++i < end; u = v, x = y, uu = vv, xx = yy) {
+    for (i++; i < end; i++) {
         const nook_point *w = nook_ring_point(m, r, i - 1u), *z = nook_ring_point(m, r, i);
         const nook_point *const old[4] = {p, w, z, z};
         float cosine;
+        bool sure;
         v = nook_between(*p, *z, s->scale);
         y = nook_between(*at, *z, s->scale);
         vv = nook_dot(v, v), yy = nook_dot(y, y);
         cosine = nook_dot(nook_cross(u, v), nook_cross(x, y));
-        if (cosine > 0x1p-40f && cosine * cosine > 0x1p-36f * (uu * vv) * (xx * yy)) continue;
-        if (nook_is_turned(&asking, at, w, z, old)) return true;
+        sure = cosine > 0x1p-40f && cosine * cosine > 0x1p-36f * (uu * vv) * (xx * yy);
+        if (!sure && nook_is_turned(&asking, at, w, z, old)) return true;
+        u = v, x = y, uu = vv, xx = yy;
     }
     return false;
 }
@@ -271,6 +273,7 @@ NOOK_APART static nook_status judge(const nook_simplify_state *s, uint32_t c, bo
     nook_edge_ring r;
     uint32_t i;
     nook_status status = gather(&r, s, c);
+    memset(to, 0, sizeof *to);
     if (status == NOOK_OK) status = place(s, &r, to);
     if (status != NOOK_OK || !wholly) return status;
     for (i = 0; i < 4u; i++) {
@@ -291,7 +294,11 @@ static nook_status collapse(nook_simplify_state *s, uint32_t c, const choice *to
     nook_status status;
     if (s->edit != NULL) edit = *s->edit;
     edit.no_turn = false;
-    status = nook_collapse(m, c, to->at, &edit);
+    if (s->goal->levels != NULL) {
+        status = nook_levels_collapse(s->goal->levels, m, c, to->at, &edit);
+    } else {
+        status = nook_collapse(m, c, to->at, &edit);
+    }
     if (status != NOOK_OK || deviation == NULL) return status;
     deviation[kept] = to->deviation;
     deviation[gone] = deviation[last];
@@ -388,7 +395,10 @@ static void sweep(nook_simplify_state *s) {
     uint32_t c = s->at < 3u * s->mesh->nt ? s->at : 0;
     choice to;
     s->at = c + 1u;
-    if (s->mesh->O[c] >= c && try_edge(s, c, &to, judge(s, c, true, &to))) return;
+    if (s->mesh->O[c] >= c) {
+        nook_status status = judge(s, c, true, &to);
+        if (try_edge(s, c, &to, status)) return;
+    }
     if (++s->idle > 3u * s->mesh->nt) s->phase = DONE;
 }
 

@@ -7,7 +7,8 @@
  * on every machine. The numbers of handles, borders and shells stay, and the way triangles face: each collapse is one of
  * nook_collapse() with no_turn. Borders keep their shape as the surface does, by the areas between.
  *
- * Levels of detail are the same mesh taken to several counts. What may be asked besides:
+ * Levels of detail are the same mesh taken to several counts, or with a record (nook_levels.h) any count between, forth and back.
+ * What may be asked besides:
  *
  * Deviation, how far the surface has moved at most. A surface comes with a number at each vertex, linear over its triangles,
  * and there is a map of the surface it came from onto it that moves no point farther than the number where it arrives. So no
@@ -29,12 +30,14 @@
 #define NOOK_SIMPLIFY_H
 
 #include "edit/nook_edit.h"
+#include "shape/nook_levels.h"
 
 typedef struct nook_simplify_goal {
-    uint32_t triangles; /* stop at so many or less; 0: as few as all else allows */
-    float error;        /* with deviation: none may become larger */
-    float *deviation;   /* [max_nv] or null; in: usually 0, out: one for each vertex */
-    bool outside;       /* for closed, oriented meshes; what is at a border stays as it is */
+    uint32_t triangles;  /* stop at so many or less; 0: as few as all else allows */
+    float error;         /* with deviation: none may become larger */
+    float *deviation;    /* [max_nv] or null; in: usually 0, out: one for each vertex */
+    bool outside;        /* for closed, oriented meshes; what is at a border stays as it is */
+    nook_levels *levels; /* or null: every collapse is recorded, to be taken back and made again */
 } nook_simplify_goal;
 
 enum { NOOK_SIMPLIFY_POOL = 16 };
@@ -67,6 +70,7 @@ typedef struct nook_simplify_state {
  *   NOOK_TURNED_TRIANGLE     a triangle would turn over
  *   NOOK_TOO_MANY_TRIANGLES  edit->max_valence, or more than some 40 triangles around the edge, which is never collapsed
  *   NOOK_NO_PLACE            the deviation would be too large, or no point outside was found
+ *   NOOK_NO_CAPACITY         the record is full
  *   NOOK_BAD_OPPOSITE, NOOK_INDEX_OUT_OF_RANGE  the tables do not hold
  * An inner edge takes two triangles with it, one at a border one: what is reached is goal->triangles, or one less.
  * Steps: nv, and then about 4 for each collapse; between two collapses never more than 11 nt + 100. A step is one edge looked at, at

@@ -51,7 +51,7 @@ struct Linked {
     nook_view view;
     nook_bvh bvh;
 
-    explicit Linked(const Soup &s) : G(s.G), V(s.V.begin(), s.V.end()), O(V.size()), C(G.size()) {
+    explicit Linked(const Soup &s) : G(s.G), V(s.V.begin(), s.V.end()), O(V.size()), C(G.size()), view(), bvh() {
         nook_report report;
         must(nook_mesh_init(&mesh, G.data(), V.data(), O.data(), C.data(), uint32_t(G.size()),
                             uint32_t(V.size() / 3)));
