@@ -108,10 +108,9 @@ extern "C" {
 
 /* shape: change a mesh as a whole, by edits */
 #include "shape/nook_hull.h"     /* convex hull of points */
-#include "shape/nook_levels.h"   /* coarser and finer, to the last bit */
-#include "shape/nook_smooth.h"   /* noise away, Laplace or Taubin */
 #include "shape/nook_orient.h"   /* triangles that agree, solids that face outward */
-#include "shape/nook_hull.h"     /* convex hull of points */
+#include "shape/nook_smooth.h"   /* noise away, Laplace or Taubin */
+#include "shape/nook_levels.h"   /* coarser and finer, to the last bit */
 #include "shape/nook_simplify.h" /* fewer triangles */
 
 #ifdef __cplusplus
@@ -182,8 +181,7 @@ extern "C" {
  * l, left                     nook_left
  * label vertices              nook_flood_new_vertices
  * left, right face            nook_left_face, nook_right_face
- * level of detail             nook_levels
- * level of detail             discrete: nook_simplify to several counts; continuous to come; nook_collapse and nook_split_vertex are its steps
+ * level of detail             nook_levels; discrete: nook_simplify to several counts
  * lone edge                   !nook_is_halfedge
  * manifold                    nook_check_result.manifold
  * marks Mt, Mv                nook_marks
@@ -220,7 +218,7 @@ extern "C" {
  * simple mesh                 nook_check_result.simple
  * smooth a shell              nook_smooth
  * simplify                    nook_simplify; for collision: nook_simplify_goal.outside
- * smooth a shell              to come
+ * smooth a shell              nook_smooth
  * soup                        nook_mesh_append, nook_weld
  * spanning tree (TST, VST)    nook_trees
  * split non-manifold vertices nook_split_fans
