@@ -162,9 +162,9 @@ sanitize: $(foreach v,$(SANITIZED),build/$(v)/tests.elf build/$(v)/nook) ## test
 
 # ---- proofs by exhaustion --------------------------------------------------------------------------
 PROVE := cc16/prove_exact soft16/prove_exact cc16/prove_worlds cc32/prove_worlds cc16/prove_tables asan16/prove_tables asan16/prove_faults \
-	cc16/prove_faults cc16/prove_edits cc16/prove_spoiled asan16/prove_spoiled cc16/prove_hull cc16/prove_simplify cc16/prove_levels cc32/prove_levels asan16/prove_levels cc32/prove_files asan16/prove_files \
+	cc16/prove_faults cc16/prove_edits cc16/prove_spoiled asan16/prove_spoiled cc16/prove_hull cc16/prove_simplify cc16/prove_levels cc32/prove_levels cc32/prove_files asan16/prove_files \
 	cc16/prove_pairs cc16/prove_queries cc16/prove_nearest cc16/prove_trees cc32/prove_trees asan16/prove_queries asan16/prove_nearest \
-	asan16/prove_trees cc16/prove_orient cc32/prove_orient asan16/prove_orient
+	asan16/prove_trees cc16/prove_orient asan16/prove_orient
 PROVE_SMALL := $(addprefix asan16/prove_,spoiled queries nearest trees orient)
 PROVE_RUNS := $(foreach p,$(filter-out %_tables %_files $(PROVE_SMALL),$(PROVE)),"build/$(p)") \
 	$(foreach p,$(filter %_files,$(PROVE)),"build/$(p) $(MESHES)") $(foreach p,$(PROVE_SMALL),"build/$(p) small") "build/cc16/prove_tables large" "build/asan16/prove_tables small" \

@@ -11,7 +11,7 @@ enum { MOST_T = 128, MOST_SHELLS = 16 };
 #elif NOOK_INDEX_BITS == 16
 enum { MOST_T = 20480, MOST_SHELLS = 64 };
 #else
-enum { MOST_T = 60000, MOST_SHELLS = 64 };
+enum { MOST_T = 56000, MOST_SHELLS = 64 };
 #endif
 enum { MOST_V = MOST_T + 2 };
 

@@ -493,8 +493,10 @@ static nook_status edit_anyhow(uint32_t what, uint32_t c) {
     nook_reverse reverse;
     uint32_t units = 1000;
     b.mesh.max_nt = MOST;
-    (void)nook_guard_begin(&guard, &b.mesh, boxes);
-    (void)nook_bvh_refit(&guard.bvh, boxes, NULL); /* of any bits where V names no vertex */
+    if (edit == &watched) {
+        (void)nook_guard_begin(&guard, &b.mesh, boxes);
+        (void)nook_bvh_refit(&guard.bvh, boxes, NULL); /* of any bits where V names no vertex */
+    }
     v[0] = c % b.mesh.nv, v[1] = d % b.mesh.nv, v[2] = (c + d) % b.mesh.nv;
     switch (what) {
     case 0: return nook_flip(&b.mesh, c, edit);

@@ -5,16 +5,20 @@
 # so does a run of nothing at all.
 require=$1
 shift
+run() { # number: its command, unless that is none
+    case $(cat "$1.command") in
+    skip:*) return ;;
+    esac
+    sh "$1.command" >"$1" 2>&1 </dev/null
+    echo $? >"$1.status"
+}
+if [ "$require" = run ]; then
+    run "$1"
+    exit 0
+fi
 passed=0 failed=0 skipped=0
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
-
-start() { # number, command
-    case $2 in
-    skip:*) return ;;
-    esac
-    (sh -c "$2" >"$folder/$1" 2>&1 </dev/null; echo $? >"$folder/$1.status") &
-}
 
 tell() { # number, command
     case $2 in
@@ -41,13 +45,16 @@ tell() { # number, command
     fi
 }
 
-while [ $# -gt 0 ]; do
-    start 1 "$1"
-    [ $# -eq 1 ] || start 2 "$2"
-    wait
-    tell 1 "$1"
-    shift
-    [ $# -eq 0 ] || { tell 2 "$1"; shift; }
+n=0
+for command in "$@"; do
+    n=$((n + 1))
+    printf '%s\n' "$command" >"$folder/$n.command"
+    echo "$folder/$n"
+done | xargs -P 2 -n 1 sh "$0" run
+n=0
+for command in "$@"; do
+    n=$((n + 1))
+    tell $n "$command"
 done
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ] && [ $((passed + skipped)) -gt 0 ]
