@@ -1,13 +1,7 @@
 #!/bin/sh
 # check.sh -- the program as its users meet it: shapes it makes, every defect it can make, files that
 # other tools write, and files that nobody should. NOOK names the program, build/nook by default.
-nook=${NOOK:-build/nook}
-dir=$(mktemp -d) || exit 1
-trap 'rm -rf "$dir"' EXIT
-passed=0 failed=0 skipped=0
-
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "FAILED: $*"; }
+. tests/tools/host.sh
 
 # expect NAME STATUS PATTERN COMMAND... : its exit status, and a pattern in what it prints
 expect() {

@@ -1,24 +1,7 @@
 #!/bin/sh
 # hull.sh -- convex hulls of files: sound and convex whatever went in, the same again of themselves, and every way not
 # to get one. NOOK names the program, build/nook by default.
-nook=${NOOK:-build/nook}
-dir=$(mktemp -d) || exit 1
-trap 'rm -rf "$dir"' EXIT
-passed=0 failed=0 skipped=0
-
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "FAILED: $*"; }
-
-# expect NAME STATUS PATTERN COMMAND... : its exit status, and a pattern in what it prints on either output
-expect() {
-    name=$1 status=$2 pattern=$3
-    shift 3
-    said=$("$@" 2>&1 </dev/null)
-    got=$?
-    if [ $got -ne "$status" ]; then no "$name: exit $got instead of $status: $said"
-    elif ! printf '%s\n' "$said" | grep -q -e "$pattern"; then no "$name: no '$pattern' in: $said"
-    else ok; fi
-}
+. tests/tools/host.sh
 
 convex='convex,manifold,watertight,oriented,outward,no-degenerate,no-duplicate,no-self-intersection,no-isolated'
 for shape in icosphere torus box capsule pipe gear tetrahedron moebius; do

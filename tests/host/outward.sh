@@ -1,10 +1,7 @@
 #!/bin/sh
 # outward.sh -- which way shells face, as check says it: solids, cavities, solids in cavities, shells that touch or cross.
 # NOOK names the program, build/nook by default.
-nook=${NOOK:-build/nook}
-dir=$(mktemp -d) || exit 1
-trap 'rm -rf "$dir"' EXIT
-passed=0 failed=0 skipped=0
+. tests/tools/host.sh
 
 # boxes "LOW HIGH WAY"... : cubes from LOW to HIGH on each axis, WAY out or in
 boxes() {

@@ -1,13 +1,7 @@
 #!/bin/sh
 # query.sh -- questions to a mesh, line by line: every kind of answer, every key of it, every way to ask wrongly, and
 # what a budget leaves open. NOOK names the program, build/nook by default.
-nook=${NOOK:-build/nook}
-dir=$(mktemp -d) || exit 1
-trap 'rm -rf "$dir"' EXIT
-passed=0 failed=0 skipped=0
-
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "FAILED: $*"; }
+. tests/tools/host.sh
 
 # ask NAME QUESTIONS ANSWERS [OPTION...] FILE : exit 0, and exactly these lines
 ask() {

@@ -1,24 +1,7 @@
 #!/bin/sh
 # simplify.sh -- files with fewer triangles: sound if they were, of the same topology, as near or as far outside as was asked,
 # and every way not to get one. NOOK names the program, build/nook by default.
-nook=${NOOK:-build/nook}
-dir=$(mktemp -d) || exit 1
-trap 'rm -rf "$dir"' EXIT
-passed=0 failed=0 skipped=0
-
-ok() { passed=$((passed + 1)); }
-no() { failed=$((failed + 1)); echo "FAILED: $*"; }
-
-# expect NAME STATUS PATTERN COMMAND... : its exit status, and a pattern in what it prints on either output
-expect() {
-    name=$1 status=$2 pattern=$3
-    shift 3
-    said=$("$@" 2>&1 </dev/null)
-    got=$?
-    if [ $got -ne "$status" ]; then no "$name: exit $got instead of $status: $said"
-    elif ! printf '%s\n' "$said" | grep -q -e "$pattern"; then no "$name: no '$pattern' in: $said"
-    else ok; fi
-}
+. tests/tools/host.sh
 
 member() { "$nook" check --json "$1" | grep -o "\"$2\":[^,]*" | head -1; }
 
