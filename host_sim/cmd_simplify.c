@@ -100,6 +100,7 @@ static const char *link_mesh(nook_mesh *m, const nook_simplify_goal *goal) {
 
 /* What is convex is made so again (nook_simplify.h says why it is no farther away). */
 static void simplify(simplified *s, nook_mesh *m, nook_simplify_goal *goal, bool convex) {
+    nook_simplify_state state;
     uint32_t v;
     if (convex && make_hull(m) != NOOK_OK) {
         s->refused = "no hull has a volume: the points lie in one plane";
@@ -109,7 +110,7 @@ static void simplify(simplified *s, nook_mesh *m, nook_simplify_goal *goal, bool
     if (s->refused != NULL) return;
     goal->deviation = take(m->nv, sizeof *goal->deviation);
     for (v = 0; v < m->nv; v++) goal->deviation[v] = 0;
-    s->reason = nook_simplify(m, goal, NULL, NULL);
+    s->reason = nook_simplify(&state, m, goal, NULL);
     for (v = 0; v < m->nv; v++) {
         if (goal->deviation[v] > s->deviation) s->deviation = goal->deviation[v];
     }

@@ -51,7 +51,8 @@ static void restore(void) {
     memset(deviation, 0, sizeof deviation);
 }
 
-static nook_status simplify(void) { return nook_simplify(&b.mesh, &goal, NULL, NULL); }
+static nook_simplify_state state;
+static nook_status simplify(void) { return nook_simplify(&state, &b.mesh, &goal, NULL); }
 
 static void is_whole(void) {
     uint32_t before = digest();
@@ -153,8 +154,6 @@ static void counts_are_reached_exactly_where_edges_allow(void) {
     CHECK_EQUAL(simplify(), NOOK_OK);
 }
 
-static nook_simplify_state state;
-
 /* With so many units a call; how many in all. */
 static uint32_t slice(uint32_t units_a_call, nook_status expected) {
     uint32_t used = 0;
@@ -235,13 +234,12 @@ static void a_larger_mesh_becomes_the_same_but_larger(void) {
 
 static void no_vertex_goes_beyond_the_largest_coordinate(void) {
     uint32_t v;
-    nook_where where = nook_at(NOOK_AT_BYTE, 1);
     icosphere(2);
     for (v = 0; v < b.mesh.nv; v++) b.mesh.G[v] = nook_scaled(b.mesh.G[v], NOOK_MAX_COORDINATE);
     keep();
     goal.triangles = 60;
-    CHECK_EQUAL(nook_simplify(&b.mesh, &goal, NULL, &where), NOOK_OK);
-    CHECK_EQUAL(where.kind, NOOK_NOWHERE);
+    CHECK_EQUAL(nook_simplify(&state, &b.mesh, &goal, NULL), NOOK_OK);
+    CHECK_EQUAL(state.where.kind, NOOK_NOWHERE);
     is_whole();
     for (v = 0; v < b.mesh.nv; v++) CHECK_EQUAL(nook_point_status(b.mesh.G[v]), NOOK_OK);
     (void)simplify();
@@ -447,10 +445,9 @@ static void borders_stay_as_they_are_where_outside_is_asked(void) {
 /* ---- where it ends ------------------------------------------------------------------------------------------ */
 
 static void ends_for(nook_status reason, uint32_t triangles) {
-    nook_where where;
     goal.triangles = 1;
-    CHECK_EQUAL(nook_simplify(&b.mesh, &goal, NULL, &where), reason);
-    CHECK(where.kind == NOOK_AT_CORNER && where.index < 3 * b.mesh.nt);
+    CHECK_EQUAL(nook_simplify(&state, &b.mesh, &goal, NULL), reason);
+    CHECK(state.where.kind == NOOK_AT_CORNER && state.where.index < 3 * b.mesh.nt);
     CHECK_EQUAL(b.mesh.nt, triangles);
     is_whole();
 }
@@ -474,7 +471,7 @@ static void no_vertex_gets_more_triangles_than_allowed(void) {
     nook_view view;
     uint32_t c;
     bumpy_sphere(2);
-    CHECK(nook_simplify(&b.mesh, &goal, &edit, NULL) == NOOK_OK);
+    CHECK(nook_simplify(&state, &b.mesh, &goal, &edit) == NOOK_OK);
     is_whole();
     view = nook_view_of(&b.mesh);
     for (c = 0; c < 3 * b.mesh.nt; c++) CHECK(nook_valence(&view, c) <= 6);
@@ -482,17 +479,16 @@ static void no_vertex_gets_more_triangles_than_allowed(void) {
 }
 
 static void a_point_that_cannot_be_used_is_named_and_nothing_changed(void) {
-    nook_where where;
     bumpy_sphere(2);
     b.mesh.G[7].y = nook_float_from(0x7F800000u);
-    CHECK_EQUAL(nook_simplify(&b.mesh, &goal, NULL, &where), NOOK_NOT_FINITE);
-    CHECK(where.kind == NOOK_AT_VERTEX && where.index == 7);
+    CHECK_EQUAL(nook_simplify(&state, &b.mesh, &goal, NULL), NOOK_NOT_FINITE);
+    CHECK(state.where.kind == NOOK_AT_VERTEX && state.where.index == 7);
     b.mesh.G[7].y = -0x1p31f;
-    CHECK_EQUAL(nook_simplify(&b.mesh, &goal, NULL, &where), NOOK_COORDINATE_TOO_LARGE);
+    CHECK_EQUAL(nook_simplify(&state, &b.mesh, &goal, NULL), NOOK_COORDINATE_TOO_LARGE);
     CHECK(memcmp(b.mesh.V, kept.V, 3 * kept_nt * sizeof *kept.V) == 0);
-    CHECK_EQUAL(nook_simplify(NULL, &goal, NULL, NULL), NOOK_NULL_ARGUMENT);
-    CHECK_EQUAL(nook_simplify(&b.mesh, NULL, NULL, &where), NOOK_NULL_ARGUMENT);
-    CHECK_EQUAL(where.kind, NOOK_NOWHERE);
+    CHECK_EQUAL(nook_simplify(&state, NULL, &goal, NULL), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_simplify(&state, &b.mesh, NULL, NULL), NOOK_NULL_ARGUMENT);
+    CHECK_EQUAL(nook_simplify(NULL, &b.mesh, &goal, NULL), NOOK_NULL_ARGUMENT);
 }
 
 /* Tables of other bits, from the start or between two steps: it ends, within its bound, and within the arrays. */

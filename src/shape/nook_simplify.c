@@ -440,7 +440,7 @@ static nook_status advance(nook_simplify_state *s) {
 
 nook_status nook_simplify_begin(nook_simplify_state *s, nook_mesh *mesh, const nook_simplify_goal *goal,
                                 const nook_edit *edit) {
-    if (mesh == NULL || goal == NULL) return NOOK_NULL_ARGUMENT;
+    if (s == NULL || mesh == NULL || goal == NULL) return NOOK_NULL_ARGUMENT;
     memset(s, 0, sizeof *s);
     s->mesh = mesh;
     s->goal = goal;
@@ -460,18 +460,14 @@ nook_status nook_simplify_step(nook_simplify_state *s, uint32_t *units) {
     return s->goal->triangles == 0 ? NOOK_OK : s->refused;
 }
 
-nook_status nook_simplify(nook_mesh *mesh, const nook_simplify_goal *goal, const nook_edit *edit,
-                          nook_where *where) {
-    nook_simplify_state state;
+nook_status nook_simplify(nook_simplify_state *s, nook_mesh *mesh, const nook_simplify_goal *goal,
+                          const nook_edit *edit) {
     uint32_t units;
-    nook_status status;
-    if (where != NULL) *where = nook_at(NOOK_NOWHERE, 0);
-    status = nook_simplify_begin(&state, mesh, goal, edit);
+    nook_status status = nook_simplify_begin(s, mesh, goal, edit);
     if (status != NOOK_OK) return status;
     do {
         units = 64; /* any number gives the same */
-        status = nook_simplify_step(&state, &units);
+        status = nook_simplify_step(s, &units);
     } while (status == NOOK_MORE);
-    if (where != NULL) *where = state.where;
     return status;
 }

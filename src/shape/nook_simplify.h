@@ -63,7 +63,7 @@ typedef struct nook_simplify_state {
  *   edit  max_valence is respected; no_turn is always asked. Or null
  *   goal  must stay until the end
  *   NOOK_OK              done: goal->triangles are reached, or that is 0 and nothing more can go
- *   NOOK_NULL_ARGUMENT   mesh, goal
+ *   NOOK_NULL_ARGUMENT   state, mesh, goal
  *   NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE  state->where: the vertex. Nothing was changed
  * else goal->triangles cannot be reached: all edges were tried, and this is why the last was refused, with state->where:
  *   NOOK_DUPLICATE_EDGE, NOOK_NONMANIFOLD_VERTEX, NOOK_DUPLICATE_TRIANGLE, NOOK_LAST_TRIANGLE  as of nook_collapse()
@@ -78,8 +78,8 @@ typedef struct nook_simplify_state {
 nook_status nook_simplify_begin(nook_simplify_state *state, nook_mesh *mesh, const nook_simplify_goal *goal,
                                 const nook_edit *edit);
 nook_status nook_simplify_step(nook_simplify_state *state, uint32_t *units);
-/* where may be null. */
-nook_status nook_simplify(nook_mesh *mesh, const nook_simplify_goal *goal, const nook_edit *edit,
-                          nook_where *where);
+/* Both in a loop; the state is the caller's, as it is too large for most stacks. */
+nook_status nook_simplify(nook_simplify_state *state, nook_mesh *mesh, const nook_simplify_goal *goal,
+                          const nook_edit *edit);
 
 #endif

@@ -132,7 +132,8 @@ Soup by_nook(const Soup &s, uint32_t target, double &time, bool outside, bool bo
     goal.error = 1e30f;
     if (bounded) goal.deviation = deviation.data();
     time = -seconds();
-    const nook_status status = nook_simplify(&m.mesh, &goal, nullptr, nullptr);
+    nook_simplify_state state;
+    const nook_status status = nook_simplify(&state, &m.mesh, &goal, nullptr);
     time += seconds();
     if (status != NOOK_OK) printf("(%s) ", nook_status_name(status));
     return m.soup();
