@@ -45,7 +45,10 @@ static bool measure_distance(smoothed *s, const nook_mesh *mesh, nook_point *was
     nook_status status = NOOK_OK;
     uint32_t v;
     original.G = was;
-    if (!tree_build(&t, &original, f)) return false;
+    if (!tree_build(&t, &original, f)) {
+        tree_free(&t);
+        return false;
+    }
     for (v = 0; v < mesh->nv && status == NOOK_OK; v++) {
         if (memcmp(&was[v], &mesh->G[v], sizeof *was) == 0) continue;
         status = nook_closest_point(&closest, &t.bvh, mesh->G[v]);
