@@ -1686,6 +1686,8 @@ static void a_tree_follows_from_nothing_and_back(void) {
     nook_view none = {0};
     uint32_t units = 100;
     draw(xy, 6, one, 1);
+    CHECK_EQUAL(nook_guard_begin(&guard, &b.mesh, tree_boxes), NOOK_OK);
+    CHECK_EQUAL(nook_split_triangle(&b.mesh, 0, b.mesh.G[4], &watched), NOOK_EMPTY_MESH); /* not fitted */
     plant();
     CHECK_EQUAL(nook_remove_triangle(&b.mesh, 0, &watched), NOOK_OK);
     CHECK_EQUAL(nook_overlap_begin(&q, &guard.bvh, b.mesh.G[0], b.mesh.G[0]), NOOK_EMPTY_MESH);

@@ -92,7 +92,7 @@ NOOK_APART static nook_status look_around(const nook_guard *guard, const nook_ch
         (void)nook_points_of(&guard->bvh, q.t, other);
         if (nook_corners_intersect(own, other)) status = NOOK_SELF_INTERSECTION;
     }
-    return status == NOOK_EMPTY_MESH ? NOOK_OK : status;
+    return guard->bvh.view.nt == 0 ? NOOK_OK : status;
 }
 
 /* Against those after it. */

@@ -30,7 +30,7 @@ struct nook_guard {
     void (*widen)(nook_guard *guard, uint32_t t, const nook_point *const p[3]);
 };
 
-/* boxes[NOOK_BVH_GROUPS(mesh->max_nt)]; refit it then.
+/* boxes[NOOK_BVH_GROUPS(mesh->max_nt)]; refit it then: until that is done edits of a mesh with triangles say NOOK_EMPTY_MESH.
  *   NOOK_NULL_ARGUMENT */
 nook_status nook_guard_begin(nook_guard *guard, const nook_mesh *mesh, nook_boxes *boxes);
 /* NOOK_OK, NOOK_SELF_INTERSECTION, or NOOK_INDEX_OUT_OF_RANGE (tables that do not hold). */

@@ -142,7 +142,7 @@ static inline float nook_in_cells(const nook_bvh *bvh, float x, uint32_t axis, f
 /* Whether there is anything to ask. */
 static inline nook_status nook_bvh_status(const nook_bvh *bvh) {
     if (bvh == NULL) return NOOK_NULL_ARGUMENT;
-    return bvh->view.nt == 0 ? NOOK_EMPTY_MESH : NOOK_OK;
+    return bvh->view.nt == 0 || bvh->levels == 0 ? NOOK_EMPTY_MESH : NOOK_OK;
 }
 
 /* The longest side of the mesh's box. */

@@ -414,7 +414,8 @@ static void queries(void) {
     nook_bvh_state build;
     nook_bvh bvh;
     nook_view view;
-    cost c = {0, 0}, self = {0, 0};
+    cost c = {0, 0}, self = {0, 0}, all = {0, 0};
+    nook_overlap about;
     uint32_t units, i;
     nook_status status;
     robot_link();
@@ -434,6 +435,14 @@ static void queries(void) {
     do {
         units = 1, start(), status = nook_intersections_step(&found, &units), note(&self, 0);
     } while (status == NOOK_MORE);
+    for (i = 0; i < (uint32_t)ASKED; i++) {
+        nook_point low = somewhere();
+        nook_overlap_begin(&about, &bvh, low, nook_make(low.x + 0.03f, low.y + 0.03f, low.z + 0.03f));
+        for (status = NOOK_MORE; status != NOOK_OK;) {
+            units = 1, start(), status = nook_overlap_step(&about, &units), note(&all, 0);
+        }
+    }
+    print_cost("overlap", "_most_a_unit", all.most);
     print_cost("self_intersections", "_a_triangle", self.sum / mesh.nt);
     print_cost("self_intersections", "_most_a_unit", self.most);
 }
