@@ -43,7 +43,12 @@
 /* How many boxes or triangles are looked at side by side: loops of that length that a compiler turns into instructions on
  * several floats at once, where the core has them. Answers are the same either way. */
 #ifndef NOOK_LANES
-#if defined(__SSE2__) || defined(__ARM_NEON)
+#ifdef __has_builtin
+#define NOOK_HAS_SHUFFLE __has_builtin(__builtin_shufflevector)
+#else
+#define NOOK_HAS_SHUFFLE 0
+#endif
+#if (defined(__SSE2__) || defined(__ARM_NEON)) && NOOK_HAS_SHUFFLE
 #define NOOK_LANES 4
 #else
 #define NOOK_LANES 1

@@ -396,13 +396,14 @@ enum { DOZEN = 12 };
 
 /* The neighbours of a vertex whose fan is closed and has a dozen triangles at most; else 0. */
 static uint32_t list_round(const nook_view *m, uint32_t c, uint32_t *near) {
-    uint32_t n = 0, x = c;
-    do {
-        if (n == (uint32_t)DOZEN) return 0;
-        near[n++] = m->V[nook_next(x)];
-        x = nook_turn(m, x, false);
-    } while (x != NOOK_NONE && x != c);
-    return x == c ? n : 0;
+    uint32_t n = 1, e = nook_next(c), o, corners = 3u * m->nt;
+    near[0] = m->V[nook_prev(c)];
+    while ((o = m->O[e]) != nook_prev(c)) {
+        if (o == e || o >= corners || n == (uint32_t)DOZEN) return 0;
+        near[n++] = m->V[o];
+        e = nook_prev(o);
+    }
+    return n;
 }
 
 static uint32_t count_equal(const uint32_t *one, uint32_t n, uint32_t v) {
@@ -412,16 +413,10 @@ static uint32_t count_equal(const uint32_t *one, uint32_t n, uint32_t v) {
 }
 
 /* How many neighbours B and C have in common, from their corners at the edge; those of B by the dozen, so that the
- * fan of C is walked once for most. */
-NOOK_APART static uint32_t count_common(const nook_view *m, uint32_t b, uint32_t c) {
+ * fan of C is walked once for most. NOOK_NONE where the tables do not hold. */
+NOOK_APART static uint32_t count_common_of_any(const nook_view *m, uint32_t b, uint32_t c) {
     nook_ring one, other;
-    uint32_t near[DOZEN], far[DOZEN], n, i, v, common = 0;
-    i = list_round(m, b, near);
-    n = i == 0 ? 0 : list_round(m, c, far);
-    if (n != 0) {
-        while (n-- > 0) common += count_equal(near, i, far[n]);
-        return common;
-    }
+    uint32_t near[DOZEN], n, v, common = 0;
     (void)nook_ring_begin(&one, m, b); /* where it cannot, there is no neighbour at all */
     do {
         for (n = 0; n < (uint32_t)DOZEN && (v = nook_ring_next(&one)) != NOOK_NONE; n++) near[n] = v;
@@ -429,6 +424,19 @@ NOOK_APART static uint32_t count_common(const nook_view *m, uint32_t b, uint32_t
         while ((v = nook_ring_next(&other)) != NOOK_NONE) common += count_equal(near, n, v);
     } while (n == (uint32_t)DOZEN);
     return common;
+}
+
+/* Whether the neighbours that B and C have in common are so many, and not both are at the border. */
+NOOK_APART static nook_status common_status(const nook_view *m, uint32_t b, uint32_t c, uint32_t must) {
+    uint32_t near[DOZEN], far[DOZEN], common = 0;
+    uint32_t i = list_round(m, b, near), n = i == 0 ? 0 : list_round(m, c, far);
+    if (n == 0) {
+        if (must == 2u && nook_is_at_border(m, b) && nook_is_at_border(m, c)) return NOOK_NONMANIFOLD_VERTEX;
+        common = count_common_of_any(m, b, c);
+    }
+    while (n-- > 0) common += count_equal(near, i, far[n]);
+    if (common == NOOK_NONE) return NOOK_BAD_OPPOSITE;
+    return common == must ? NOOK_OK : NOOK_DUPLICATE_EDGE;
 }
 
 /* Vertex v of the triangle across corner x; NOOK_NONE at a border. */
@@ -455,7 +463,7 @@ static bool has_room_for_both(const nook_view *m, uint32_t c, const nook_edit *e
 NOOK_APART static nook_status collapse_status(const nook_mesh *m, uint32_t c, const nook_edit *edit) {
     nook_view view = nook_view_of(m);
     nook_status status = nook_edge_status(m, c);
-    uint32_t o, n = nook_next(c), p = nook_prev(c), common;
+    uint32_t o, n = nook_next(c), p = nook_prev(c);
     if (status != NOOK_OK) return status;
     if (!has_room_for_both(&view, c, edit)) return NOOK_TOO_MANY_TRIANGLES;
     o = nook_across(m, c);
@@ -466,16 +474,14 @@ NOOK_APART static nook_status collapse_status(const nook_mesh *m, uint32_t c, co
         if (apex(m, n) == m->V[o] && apex(m, p) == m->V[o]) return NOOK_DUPLICATE_TRIANGLE;
         if (is_beside(m, nook_next(c), o) || is_beside(m, nook_prev(c), o)) return NOOK_BAD_OPPOSITE;
         if (is_loose(m, c) || is_loose(m, o)) return NOOK_NONMANIFOLD_VERTEX;
-        if (nook_is_at_border(&view, n) && nook_is_at_border(&view, p)) return NOOK_NONMANIFOLD_VERTEX;
     }
-    common = count_common(&view, n, p);
-    if (common == NOOK_NONE) return NOOK_BAD_OPPOSITE;
-    return common == (o == NOOK_NONE ? 1u : 2u) ? NOOK_OK : NOOK_DUPLICATE_EDGE;
+    return common_status(&view, n, p, o == NOOK_NONE ? 1u : 2u);
 }
 
 NOOK_APART static bool collapse_turns(const nook_mesh *m, uint32_t c, nook_point at, const nook_edit *edit) {
     nook_move move = {{m->V[nook_next(c)], m->V[nook_prev(c)]}, {at, at}};
     uint32_t t = nook_triangle(c), u = nook_triangle(m->O[c]);
+    if (edit == NULL || !edit->no_turn) return false;
     return nook_move_turns_fan(m, nook_next(c), &move, t, u, edit) ||
            nook_move_turns_fan(m, nook_prev(c), &move, t, u, edit);
 }

@@ -3,13 +3,13 @@
 #define NOOK_RING_H
 
 #include "core/nook_corner.h"
-#include "core/nook_vector.h"
+#include "shape/nook_triple.h"
 
 enum { NOOK_RING_MOST = 44 }; /* corners around an edge */
 
 /* The sum of squared volumes, or areas, as a function of the place: x A x, about a vertex. */
 typedef struct nook_quadric {
-    float xx, yy, zz, xy, xz, yz;
+    nook_triple square, mixed; /* of A: xx yy zz, xy yz zx */
 } nook_quadric;
 
 /* In the picture of nook_collapse(): corners at the vertices around C (end 0) and B (end 1), in chains of which any two

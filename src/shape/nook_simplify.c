@@ -1,6 +1,6 @@
 /* nook_simplify.c -- the choice of edges, and of the points to which they go.
  *
- * Points are taken relative to a vertex of the edge and scaled so that the mesh is about 1024 wide: sixth powers of lengths,
+ * Points are taken relative to a vertex of the edge and scaled so that the mesh is about 1024 wide: fourth powers of lengths,
  * which costs are, then stay in range, and a mesh 2^k times as large becomes the same, 2^k times as large. */
 #include "shape/nook_simplify.h"
 
@@ -10,9 +10,8 @@
 
 enum { LOOK, DRAW, SWEEP, DONE };
 enum {
-    DRAWN = 3, /* triangles drawn for an edge to be looked at: the shortest of all theirs */
-    FRESH = 2, /* edges looked at for one that goes */
-    HELD = 24  /* and where it must be held outside */
+    FRESH = 2, /* vertices looked at for an edge that goes */
+    HELD = 24  /* corners around it, where it must be held outside */
 };
 #define ROUND                                                                                                \
     0x1p-15f /* how much of a sphere every quadric has, so that it has a least place also where all is flat */
@@ -21,29 +20,38 @@ enum {
 
 /* ---- what is around an edge ------------------------------------------------------------------------- */
 
-static inline nook_point times(const nook_quadric *a, nook_point v) {
-    return nook_make(a->xx * v.x + a->xy * v.y + a->xz * v.z, a->xy * v.x + a->yy * v.y + a->yz * v.z,
-                     a->xz * v.x + a->yz * v.y + a->zz * v.z);
+static inline nook_triple slope(const nook_quadric *a, nook_triple v) {
+    return nook_plus(nook_times(a->square, v),
+                     nook_plus(nook_times(a->mixed, nook_yzx(v)), nook_zxy(nook_times(a->mixed, v))));
 }
 
-static inline void add_normal(nook_quadric *a, nook_point n) {
-    a->xx += n.x * n.x;
-    a->yy += n.y * n.y;
-    a->zz += n.z * n.z;
-    a->xy += n.x * n.y;
-    a->xz += n.x * n.z;
-    a->yz += n.y * n.z;
+static nook_quadric times(const nook_quadric *a, float by) {
+    nook_quadric all = {nook_by(a->square, by), nook_by(a->mixed, by)};
+    return all;
 }
 
-/* The square of the area between a place and a border edge, times that of its length. */
-static void add_border(nook_quadric *a, nook_point e) {
-    float square = nook_dot(e, e);
-    a->xx += square * (square - e.x * e.x);
-    a->yy += square * (square - e.y * e.y);
-    a->zz += square * (square - e.z * e.z);
-    a->xy -= square * e.x * e.y;
-    a->xz -= square * e.x * e.z;
-    a->yz -= square * e.y * e.z;
+/* 1 over the square root of a float, at most a thirtieth off: exponent and mantissa are halved as one number. */
+static inline float about_inverse_root(float x) {
+    return nook_float_from(0x5F3759DFu - (nook_float_bits(x) >> 1));
+}
+
+/* The square of the distance from a triangle's plane, times about its area. */
+static inline void add_normal(nook_quadric *a, nook_triple n) {
+    nook_triple unit = nook_by(n, about_inverse_root(nook_inner(n, n)));
+    a->square = nook_plus(a->square, nook_times(n, unit));
+    a->mixed = nook_plus(a->mixed, nook_times(n, nook_yzx(unit)));
+}
+
+/* The square of the area between a place and a border edge. */
+static void add_border(nook_quadric *a, nook_triple e) {
+    float square = nook_inner(e, e);
+    nook_triple all = nook_triple_of(square, square, square);
+    a->square = nook_plus(a->square, nook_minus(all, nook_times(e, e)));
+    a->mixed = nook_minus(a->mixed, nook_times(e, nook_yzx(e)));
+}
+
+static inline nook_triple from(const nook_simplify_state *s, nook_triple p, const nook_point *q) {
+    return nook_by(nook_minus(nook_triple_at(q), p), s->scale);
 }
 
 static bool push(nook_edge_ring *r, const nook_mesh *m, uint32_t c) {
@@ -53,29 +61,35 @@ static bool push(nook_edge_ring *r, const nook_mesh *m, uint32_t c) {
 
 /* On from the last corner across e, until e faces stop or a border. */
 NOOK_APART static nook_status walk(nook_edge_ring *r, const nook_simplify_state *s, uint32_t chain,
-                                   uint32_t e, uint32_t stop) {
+                                   uint32_t e, uint32_t stop, bool close) {
     const nook_mesh *m = s->mesh;
-    nook_point p = r->p[chain / 2u], u = nook_between(p, m->G[m->V[r->c[r->n - 1u]]], s->scale), v;
-    nook_quadric a = r->a[chain / 2u];
     uint32_t n = r->n, corners = 3u * m->nt, o, w;
-    if ((chain & 1u) == 0) add_normal(&a, nook_cross(u, nook_between(p, m->G[m->V[r->c[n - 2u]]], s->scale)));
+    nook_triple p = nook_triple_at(&r->p[chain / 2u]), u = from(s, p, nook_ring_point(m, r, n - 1u)), v;
+    nook_quadric a = r->a[chain / 2u];
+    if ((chain & 1u) == 0) add_normal(&a, nook_outer(u, from(s, p, nook_ring_point(m, r, n - 2u))));
     while ((o = m->O[e]) != stop && o != e) {
         if (o >= corners || (w = m->V[o]) >= m->nv) return NOOK_BAD_OPPOSITE;
         if (n >= NOOK_RING_MOST) return NOOK_TOO_MANY_TRIANGLES;
         r->c[n++] = nook_store(o);
-        v = nook_between(p, m->G[w], s->scale);
-        add_normal(&a, nook_cross(u, v));
+        v = from(s, p, &m->G[w]);
+        add_normal(&a, nook_outer(u, v));
         u = v;
         e = (chain & 1u) != 0 ? nook_prev(o) : nook_next(o);
     }
     r->met = o != stop;
-    if (r->met) add_border(&a, u);
+    if (r->met) {
+        add_border(&a, u);
+    } else if (close) {
+        add_normal(&a, nook_outer(u, from(s, p, nook_ring_point(m, r, r->start[chain]))));
+    }
     r->a[chain / 2u] = a;
     r->n = n;
     return NOOK_OK;
 }
 
-NOOK_APART static nook_status gather(nook_edge_ring *r, const nook_simplify_state *s, uint32_t c) {
+/* All around both ends, or around C alone; then its quadric has the triangle across c too. */
+NOOK_APART static nook_status gather(nook_edge_ring *r, const nook_simplify_state *s, uint32_t c,
+                                     uint32_t ends) {
     const nook_mesh *m = s->mesh;
     uint32_t end, o = nook_across(m, c);
     r->n = 0;
@@ -86,21 +100,21 @@ NOOK_APART static nook_status gather(nook_edge_ring *r, const nook_simplify_stat
         if (r->v[end] >= m->nv) return NOOK_BAD_OPPOSITE;
         r->p[end] = m->G[r->v[end]];
     }
-    if (o == NOOK_NONE) add_border(&r->a[0], nook_between(r->p[0], r->p[1], s->scale));
-    for (end = 0; end < 2u; end++) {
+    for (end = 0; end < ends; end++) {
         uint32_t x = end == 0 ? c : o, y = end == 0 ? o : c;
         nook_status status = NOOK_OK;
         r->met = true;
+        if (o == NOOK_NONE) add_border(&r->a[end], from(s, nook_triple_at(&r->p[0]), &r->p[1]));
         r->start[2u * end] = r->n;
         if (x != NOOK_NONE) {
             if (!push(r, m, nook_next(x)) || !push(r, m, x)) return NOOK_BAD_OPPOSITE;
-            status = walk(r, s, 2u * end, nook_next(x), y == NOOK_NONE ? y : nook_prev(y));
+            status = walk(r, s, 2u * end, nook_next(x), y == NOOK_NONE ? y : nook_prev(y), ends == 1u);
         }
         r->start[2u * end + 1u] = r->n;
         r->open = r->open || r->met;
         if (status == NOOK_OK && r->met && y != NOOK_NONE) {
             if (!push(r, m, y)) return NOOK_BAD_OPPOSITE;
-            status = walk(r, s, 2u * end + 1u, nook_prev(y), NOOK_NONE);
+            status = walk(r, s, 2u * end + 1u, nook_prev(y), NOOK_NONE, false);
         }
         if (status != NOOK_OK) return status;
     }
@@ -113,50 +127,45 @@ NOOK_APART static nook_status gather(nook_edge_ring *r, const nook_simplify_stat
 /* Half the edge, from its middle to B, and y A y - 2 g y of places y from its middle; A has trace 1, and so is scaled. */
 typedef struct costs {
     nook_quadric a, inverse; /* of A + ROUND */
-    nook_point half, g;
+    nook_triple half, g;
     float trace;
 } costs;
 
 static void invert(nook_quadric *to, const nook_quadric *a) {
-    float xx = a->xx + ROUND, yy = a->yy + ROUND, zz = a->zz + ROUND, by;
-    to->xx = yy * zz - a->yz * a->yz, to->xy = a->xz * a->yz - a->xy * zz,
-    to->xz = a->xy * a->yz - a->xz * yy;
-    to->yy = xx * zz - a->xz * a->xz, to->yz = a->xy * a->xz - xx * a->yz, to->zz = xx * yy - a->xy * a->xy;
-    by = 1.0f / (xx * to->xx + a->xy * to->xy + a->xz * to->xz);
-    to->xx *= by, to->yy *= by, to->zz *= by, to->xy *= by, to->xz *= by, to->yz *= by;
+    nook_triple all = nook_plus(a->square, nook_triple_of(ROUND, ROUND, ROUND)), next = nook_yzx(a->mixed);
+    to->square = nook_minus(nook_times(nook_yzx(all), nook_zxy(all)), nook_times(next, next));
+    to->mixed = nook_minus(nook_times(next, nook_zxy(a->mixed)), nook_times(a->mixed, nook_zxy(all)));
+    *to = times(to, 3.0f / (nook_inner(all, to->square) + 2 * nook_inner(a->mixed, to->mixed)));
 }
 
 /* About the middle, the sum of both quadrics has half the difference of both at work on the edge as its slope. */
 NOOK_APART static void add_up(costs *f, const nook_edge_ring *r, float scale) {
     const nook_quadric *c = &r->a[0], *b = &r->a[1];
-    nook_quadric less = {b->xx - c->xx, b->yy - c->yy, b->zz - c->zz,
-                         b->xy - c->xy, b->xz - c->xz, b->yz - c->yz};
-    float by;
-    f->half = nook_between(r->p[0], r->p[1], 0.5f * scale);
-    f->trace = b->xx + c->xx + (b->yy + c->yy) + (b->zz + c->zz) + 0x1p-100f;
-    by = 1.0f / f->trace;
-    f->g = nook_scaled(times(&less, f->half), by);
-    f->a.xx = (b->xx + c->xx) * by, f->a.yy = (b->yy + c->yy) * by, f->a.zz = (b->zz + c->zz) * by;
-    f->a.xy = (b->xy + c->xy) * by, f->a.xz = (b->xz + c->xz) * by, f->a.yz = (b->yz + c->yz) * by;
+    nook_quadric less = {nook_minus(b->square, c->square), nook_minus(b->mixed, c->mixed)};
+    f->a.square = nook_plus(b->square, c->square);
+    f->a.mixed = nook_plus(b->mixed, c->mixed);
+    f->trace = nook_sum(f->a.square) + 0x1p-100f;
+    f->half = nook_by(nook_minus(nook_triple_at(&r->p[1]), nook_triple_at(&r->p[0])), 0.5f * scale);
+    f->g = nook_by(slope(&less, f->half), 1.0f / f->trace);
+    f->a = times(&f->a, 1.0f / f->trace);
     invert(&f->inverse, &f->a);
 }
 
-static float cost_at(const costs *f, nook_point y) {
+static float cost_at(const costs *f, nook_triple y) {
     float sum =
-        nook_dot(y, times(&f->a, y)) - 2 * nook_dot(f->g, y) + nook_dot(f->half, times(&f->a, f->half));
-    return f->trace * (nook_abs(sum) + SHORT * nook_dot(f->half, f->half));
+        nook_inner(y, slope(&f->a, y)) - 2 * nook_inner(f->g, y) + nook_inner(f->half, slope(&f->a, f->half));
+    return f->trace * (nook_abs(sum) + SHORT * nook_inner(f->half, f->half));
 }
 
 /* Once more on what is left, so that ROUND moves nothing that is not flat. */
-static nook_point least_place(const costs *f) {
-    nook_point y = times(&f->inverse, f->g), z = times(&f->inverse, nook_sub(f->g, times(&f->a, y)));
-    return nook_make(y.x + z.x, y.y + z.y, y.z + z.z);
+static nook_triple least_place(const costs *f) {
+    nook_triple y = slope(&f->inverse, f->g);
+    return nook_plus(y, slope(&f->inverse, nook_minus(f->g, slope(&f->a, y))));
 }
 
-static nook_point from_middle(const nook_simplify_state *s, const nook_edge_ring *r, nook_point y) {
-    const nook_point *c = &r->p[0], *b = &r->p[1];
-    return nook_make(0.5f * (c->x + b->x) + y.x * s->unit, 0.5f * (c->y + b->y) + y.y * s->unit,
-                     0.5f * (c->z + b->z) + y.z * s->unit);
+static nook_point from_middle(const nook_simplify_state *s, const nook_edge_ring *r, nook_triple y) {
+    nook_triple middle = nook_plus(nook_triple_at(&r->p[0]), nook_triple_at(&r->p[1]));
+    return nook_point_of(nook_plus(nook_by(middle, 0.5f), nook_by(y, s->unit)));
 }
 
 /* ---- outside ------------------------------------------------------------------------------------------ */
@@ -172,28 +181,29 @@ static bool is_outside(const nook_simplify_state *s, const nook_edge_ring *r, co
 
 /* The place of least cost, and by ROUND near the middle, that is a little outside: Hildreth's method, which pushes along
  * one normal after the other, in the measure of the quadric, and takes back what was too much. */
-NOOK_APART static nook_point hold_outside(const nook_simplify_state *s, const nook_edge_ring *r,
-                                          const costs *f, nook_point y) {
-    float pushed[HELD], least = 0x1p-12f * nook_length(f->half);
-    nook_point middle = from_middle(s, r, nook_make(0, 0, 0));
+NOOK_APART static nook_triple hold_outside(const nook_simplify_state *s, const nook_edge_ring *r,
+                                           const costs *f, nook_triple y) {
+    float pushed[HELD], least = 0x1p-12f * nook_sqrt(nook_inner(f->half, f->half));
+    nook_point middle = from_middle(s, r, nook_triple_of(0, 0, 0));
     const nook_point *t[3];
     uint32_t i, j;
     bool still = false;
     memset(pushed, 0, sizeof pushed);
     for (j = 0; j < 32u && !still; j++) {
         for (still = true, i = 0; i < r->n; i++) {
-            nook_point n, w;
+            nook_triple n, w, corner;
             float by, high, steep;
             if (!nook_ring_face(s->mesh, r, i, t)) continue;
-            n = nook_cross(nook_between(*t[0], *t[1], s->scale), nook_between(*t[0], *t[2], s->scale));
-            w = times(&f->inverse, n);
-            high = least * nook_length(n);
-            steep = nook_dot(n, w) + 0x1p-100f;
-            by = (nook_dot(n, nook_between(middle, *t[0], s->scale)) - nook_dot(n, y) + high) / steep;
+            corner = nook_triple_at(t[0]);
+            n = nook_outer(from(s, corner, t[1]), from(s, corner, t[2]));
+            w = slope(&f->inverse, n);
+            high = least * nook_sqrt(nook_inner(n, n));
+            steep = nook_inner(n, w) + 0x1p-100f;
+            by = (high - nook_inner(n, nook_plus(y, from(s, corner, &middle)))) / steep;
             if (by < -pushed[i]) by = -pushed[i];
             if (nook_abs(by) * steep > 0.5f * high) still = false;
             pushed[i] += by;
-            y = nook_make(y.x + by * w.x, y.y + by * w.y, y.z + by * w.z);
+            y = nook_plus(y, nook_by(w, by));
         }
     }
     return y;
@@ -201,14 +211,14 @@ NOOK_APART static nook_point hold_outside(const nook_simplify_state *s, const no
 
 /* The best of both ends and that place. */
 NOOK_APART static bool place_outside(const nook_simplify_state *s, const nook_edge_ring *r, const costs *f,
-                                     nook_point y, nook_point *at, float *cost) {
+                                     nook_triple y, nook_point *at, float *cost) {
     uint32_t i;
     *cost = 0x1p127f;
     if (r->open || r->n > HELD) return false;
     for (i = 0; i < 3u; i++) {
-        nook_point place = i == 2u ? hold_outside(s, r, f, y) : nook_scaled(f->half, i == 0 ? -1.0f : 1.0f);
-        float less = cost_at(f, place);
-        place = i == 2u ? from_middle(s, r, place) : r->p[i];
+        nook_triple y2 = i == 2u ? hold_outside(s, r, f, y) : nook_by(f->half, i == 0 ? -1.0f : 1.0f);
+        float less = cost_at(f, y2);
+        nook_point place = i == 2u ? from_middle(s, r, y2) : r->p[i];
         if (!(less < *cost * (i == 2u ? 0.75f : 1.0f)) || !is_outside(s, r, &place)) continue;
         *cost = less;
         *at = place;
@@ -218,31 +228,35 @@ NOOK_APART static bool place_outside(const nook_simplify_state *s, const nook_ed
 
 /* ---- what must not happen ----------------------------------------------------------------------------- */
 
+NOOK_APART static bool turns_exactly(const nook_point *p, const nook_point *at, const nook_point *w,
+                                     const nook_point *z) {
+    static const nook_edit asking = {.no_turn = true};
+    const nook_point *const old[4] = {p, w, z, z};
+    return nook_is_turned(&asking, at, w, z, old);
+}
+
 /* Whether a triangle of an end would turn. Where lengths and the cosine, 2^-18 at least, leave no doubt floats do. */
 NOOK_APART static bool turns(const nook_simplify_state *s, const nook_edge_ring *r, uint32_t chain,
                              const nook_point *at) {
-    static const nook_edit asking = {.no_turn = true};
     const nook_mesh *m = s->mesh;
-    const nook_point *p = &r->p[chain / 2u];
+    const nook_point *p = &r->p[chain / 2u], *w, *z;
     uint32_t i = r->start[chain] + ((chain & 1u) ^ 1u), end = r->start[chain + 1u];
-    nook_point u, v, x, y;
+    nook_triple old = nook_triple_at(p), now = nook_triple_at(at), u, v, x, y;
     float uu, vv, xx, yy;
     if (i >= end) return false;
-    u = nook_between(*p, *nook_ring_point(m, r, i), s->scale);
-    x = nook_between(*at, *nook_ring_point(m, r, i), s->scale);
-    uu = nook_dot(u, u), xx = nook_dot(x, x);
+    w = nook_ring_point(m, r, i);
+    u = from(s, old, w), x = from(s, now, w);
+    uu = nook_inner(u, u), xx = nook_inner(x, x);
     for (i++; i < end; i++) {
-        const nook_point *w = nook_ring_point(m, r, i - 1u), *z = nook_ring_point(m, r, i);
-        const nook_point *const old[4] = {p, w, z, z};
         float cosine;
         bool sure;
-        v = nook_between(*p, *z, s->scale);
-        y = nook_between(*at, *z, s->scale);
-        vv = nook_dot(v, v), yy = nook_dot(y, y);
-        cosine = nook_dot(nook_cross(u, v), nook_cross(x, y));
+        z = nook_ring_point(m, r, i);
+        v = from(s, old, z), y = from(s, now, z);
+        vv = nook_inner(v, v), yy = nook_inner(y, y);
+        cosine = nook_inner(nook_outer(u, v), nook_outer(x, y));
         sure = cosine > 0x1p-40f && cosine * cosine > 0x1p-36f * (uu * vv) * (xx * yy);
-        if (!sure && nook_is_turned(&asking, at, w, z, old)) return true;
-        u = v, x = y, uu = vv, xx = yy;
+        if (!sure && turns_exactly(p, at, w, z)) return true;
+        w = z, u = v, x = y, uu = vv, xx = yy;
     }
     return false;
 }
@@ -259,7 +273,7 @@ typedef struct choice {
 /* Where the vertex goes, for what. */
 NOOK_APART static nook_status place(const nook_simplify_state *s, const nook_edge_ring *r, choice *to) {
     costs f;
-    nook_point y;
+    nook_triple y;
     add_up(&f, r, s->scale);
     y = least_place(&f);
     if (s->goal->outside) return place_outside(s, r, &f, y, &to->at, &to->cost) ? NOOK_OK : NOOK_NO_PLACE;
@@ -268,14 +282,15 @@ NOOK_APART static nook_status place(const nook_simplify_state *s, const nook_edg
     return NOOK_OK;
 }
 
-/* The same of the edge of c; with all conditions, or only those that come by the way. */
-NOOK_APART static nook_status judge(const nook_simplify_state *s, uint32_t c, bool wholly, choice *to) {
+/* The same of the edge of c, with all conditions; NOOK_MORE where it costs more than that. */
+NOOK_APART static nook_status judge(const nook_simplify_state *s, uint32_t c, float limit, choice *to) {
     nook_edge_ring r;
     uint32_t i;
-    nook_status status = gather(&r, s, c);
+    nook_status status = gather(&r, s, c, 2);
     memset(to, 0, sizeof *to);
     if (status == NOOK_OK) status = place(s, &r, to);
-    if (status != NOOK_OK || !wholly) return status;
+    if (status != NOOK_OK) return status;
+    if (to->cost > limit) return NOOK_MORE;
     for (i = 0; i < 4u; i++) {
         if (turns(s, &r, i, &to->at)) return NOOK_TURNED_TRIANGLE;
     }
@@ -326,31 +341,6 @@ static uint32_t draw_corner(nook_simplify_state *s) {
     return (uint32_t)((uint64_t)s->dice * (3u * s->mesh->nt) >> 32);
 }
 
-/* The shortest edge of a triangle, if it is shorter than what was found before; of what is no triangle one that is found out
- * when it is looked at. */
-static void shortest_of(const nook_mesh *m, uint32_t t, uint32_t *best, float *least) {
-    const nook_index *V = m->V + 3u * t;
-    nook_point p, q;
-    uint32_t i, last = V[2];
-    if (V[0] >= m->nv || V[1] >= m->nv || last >= m->nv) return;
-    for (p = m->G[last], i = 0; i < 3u; i++, p = q) {
-        nook_point d = nook_sub(q = m->G[V[i]], p);
-        float square = nook_dot(d, d);
-        if (square < *least) *least = square, *best = 3u * t + (i == 2u ? 0 : i + 1u);
-    }
-}
-
-/* The shortest edge of some triangles; any, where none has gone for long. */
-static uint32_t draw_edge(nook_simplify_state *s) {
-    uint32_t best = draw_corner(s), c = best, n;
-    float least = 0x1p127f;
-    for (n = 0; n < (uint32_t)DRAWN && s->idle <= 64u; n++) {
-        shortest_of(s->mesh, nook_triangle(c), &best, &least);
-        c = draw_corner(s);
-    }
-    return best;
-}
-
 static void put(nook_simplify_state *s, uint32_t c, float cost) {
     uint32_t i;
     if (s->pooled == NOOK_SIMPLIFY_POOL) {
@@ -363,27 +353,46 @@ static void put(nook_simplify_state *s, uint32_t c, float cost) {
     s->pool[i].c = c;
 }
 
+/* The edge of C along which its quadric grows least; the first, where none has gone for long. */
+static uint32_t easiest(const nook_simplify_state *s, const nook_edge_ring *r, float *least) {
+    nook_quadric a = r->a[0];
+    float length = SHORT * nook_sum(a.square);
+    nook_triple p = nook_triple_at(&r->p[0]);
+    uint32_t i, best = 0, n = s->idle > 64u ? 1 : r->n;
+    a.square = nook_plus(a.square, nook_triple_of(length, length, length));
+    *least = 0x1p127f;
+    for (i = 0; i < n; i++) {
+        nook_triple e = from(s, p, nook_ring_point(s->mesh, r, i));
+        float cost = nook_inner(e, slope(&a, e));
+        if (cost < *least) *least = cost, best = i;
+    }
+    i = r->c[best];
+    return best == 0 || best >= r->start[1] ? nook_prev(i) : nook_next(i);
+}
+
+/* Until it is looked at from both ends, an edge is taken to cost half of what it would if C went all the way to B. */
 static void draw(nook_simplify_state *s) {
-    uint32_t c = draw_edge(s);
-    choice to;
-    nook_status status = judge(s, c, false, &to);
+    nook_edge_ring r;
+    uint32_t c = draw_corner(s);
+    float cost;
+    nook_status status = gather(&r, s, c, 1);
     s->fresh++;
-    s->idle++;
     if (status == NOOK_OK) {
-        put(s, c, to.cost);
+        c = easiest(s, &r, &cost);
+        put(s, c, 0.5f * cost);
     } else {
-        (void)try_edge(s, c, &to, status);
+        (void)try_edge(s, c, NULL, status);
     }
 }
 
-/* The best of the pool, unless it has become worse since than the next. */
+/* The best of the pool, unless it costs more than was thought and than the next. */
 static void take(nook_simplify_state *s) {
     uint32_t c = s->pool[--s->pooled].c;
     nook_status status;
     choice to;
     if (c >= 3u * s->mesh->nt) return;
-    status = judge(s, c, true, &to);
-    if (status == NOOK_OK && s->pooled != 0 && to.cost > s->pool[s->pooled - 1u].cost) {
+    status = judge(s, c, s->pooled != 0 ? s->pool[s->pooled - 1u].cost : 0x1p127f, &to);
+    if (status == NOOK_MORE) {
         put(s, c, to.cost);
     } else {
         (void)try_edge(s, c, &to, status);
@@ -396,7 +405,7 @@ static void sweep(nook_simplify_state *s) {
     choice to;
     s->at = c + 1u;
     if (s->mesh->O[c] >= c) {
-        nook_status status = judge(s, c, true, &to);
+        nook_status status = judge(s, c, 0x1p127f, &to);
         if (try_edge(s, c, &to, status)) return;
     }
     if (++s->idle > 3u * s->mesh->nt) s->phase = DONE;
@@ -429,9 +438,11 @@ static nook_status advance(nook_simplify_state *s) {
         s->phase = DONE;
     } else if (s->phase == SWEEP) {
         sweep(s);
+    } else if (++s->idle > 8u * m->nt + 64u) {
+        s->phase = SWEEP;
+        s->idle = s->at = 0;
     } else if (s->fresh < (uint32_t)FRESH || s->pooled == 0) {
         draw(s);
-        if (s->idle > 8u * m->nt + 64u) s->phase = SWEEP, s->idle = s->at = 0;
     } else {
         take(s);
     }
@@ -446,6 +457,7 @@ nook_status nook_simplify_begin(nook_simplify_state *s, nook_mesh *mesh, const n
     s->goal = goal;
     s->edit = edit;
     s->dice = 0x9E3779B9u;
+
     return NOOK_OK;
 }
 

@@ -1,9 +1,10 @@
 /* nook_simplify.h -- the same shape with fewer triangles.
  *
- * Edges are collapsed one by one, each to the point where the squares of the volumes between it and the triangles around it
- * have the least sum (memoryless quadrics: Lindstrom and Turk 1998; those of Garland and Heckbert 1997 are carried along).
- * There is no queue: a few edges drawn by lot are held against a pool of 16, and the best of all goes (multiple choice: Wu
- * and Kobbelt 2002). So nothing is kept for a triangle or a vertex; and as the lots are always the same, so is the mesh,
+ * Edges are collapsed one by one, each to the point where the squares of its distances from the planes of the triangles around it,
+ * times their areas, have the least sum (quadrics: Garland and Heckbert 1997; of the triangles as they are, not carried along:
+ * Lindstrom and Turk 1998). There is no queue: of a few vertices drawn by lot the edge that seems the best from there goes to a
+ * pool of 16, and the best of all goes (multiple choice: Wu and Kobbelt 2002). So nothing is kept for a triangle or a vertex;
+ * and as the lots are always the same, so is the mesh,
  * on every machine. The numbers of handles, borders and shells stay, and the way triangles face: each collapse is one of
  * nook_collapse() with no_turn. Borders keep their shape as the surface does, by the areas between.
  *
@@ -49,7 +50,7 @@ typedef struct nook_simplify_state {
     nook_status refused;  /* why the last edge that was refused was, */
     nook_where where;     /* and its corner; or the vertex of an error */
     uint32_t phase, at;   /* of a pass: the vertex or corner to come */
-    uint32_t fresh, idle; /* edges drawn since the last round; since the last collapse */
+    uint32_t fresh, idle; /* since the last collapse: vertices drawn; steps */
     uint32_t dice, pooled;
     float extent;      /* of the mesh, the larger of a coordinate */
     float scale, unit; /* powers of two: the extent, scaled, is near 1024; and back */

@@ -1,24 +1,15 @@
 /* nook_star.c -- turning about a vertex. */
 #include "walk/nook_star.h"
 
-static inline uint32_t turn(const nook_view *m, uint32_t c, bool clockwise) {
-    uint32_t e = clockwise ? nook_prev(c) : nook_next(c), o = m->O[e];
-    if (o == e || o >= 3u * m->nt) return NOOK_NONE;
-    o = clockwise ? nook_prev(o) : nook_next(o);
-    return m->V[o] == m->V[c] ? o : NOOK_NONE;
-}
-
-uint32_t nook_turn(const nook_view *m, uint32_t c, bool clockwise) { return turn(m, c, clockwise); }
-
 nook_status nook_star_begin(nook_star *star, const nook_view *view, uint32_t c, bool clockwise) {
     uint32_t back, x = c, steps = view->nt;
     star->view = view;
     star->next = NOOK_NONE;
     if (c >= 3u * view->nt) return NOOK_INDEX_OUT_OF_RANGE;
-    for (back = turn(view, c, !clockwise); back != NOOK_NONE && back != c; steps--) {
+    for (back = nook_turn(view, c, !clockwise); back != NOOK_NONE && back != c; steps--) {
         if (steps == 0) return NOOK_BAD_OPPOSITE;
         x = back;
-        back = turn(view, x, !clockwise);
+        back = nook_turn(view, x, !clockwise);
     }
     star->open = back == NOOK_NONE;
     star->first = star->next = star->open ? x : c;
@@ -30,7 +21,7 @@ nook_status nook_star_begin(nook_star *star, const nook_view *view, uint32_t c, 
 uint32_t nook_star_next(nook_star *star) {
     uint32_t c = star->next;
     if (c == NOOK_NONE || star->left-- == 0) return star->next = NOOK_NONE;
-    star->next = turn(star->view, c, star->clockwise);
+    star->next = nook_turn(star->view, c, star->clockwise);
     if (star->next == star->first) star->next = NOOK_NONE;
     return c;
 }

@@ -20,7 +20,12 @@ typedef struct nook_star {
 
 /* The next corner about v(c), clockwise (as the swing turns) or counter-clockwise; NOOK_NONE at a border,
  * and where the tables do not hold. */
-uint32_t nook_turn(const nook_view *m, uint32_t c, bool clockwise);
+static inline uint32_t nook_turn(const nook_view *m, uint32_t c, bool clockwise) {
+    uint32_t e = clockwise ? nook_prev(c) : nook_next(c), o = m->O[e];
+    if (o == e || o >= 3u * m->nt) return NOOK_NONE;
+    o = clockwise ? nook_prev(o) : nook_next(o);
+    return m->V[o] == m->V[c] ? o : NOOK_NONE;
+}
 
 /* Begin the star of v(c) in the fan of corner c: at c if the fan is closed, else at the end from which all
  * others follow. *star keeps the pointer to the view.
