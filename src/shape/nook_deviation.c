@@ -15,6 +15,7 @@ typedef struct sight {
     const nook_edge_ring *r;
     nook_point at;
     uint32_t axis;
+    bool mirrored; /* the ring runs counter-clockwise as seen, else clockwise */
     float u, v;   /* how far one goes sideways, a unit of h */
     float length; /* and how far in all */
 } sight;
@@ -91,6 +92,7 @@ NOOK_APART static bool begin_sight(sight *l) {
     l->axis = nook_abs(way.x) > nook_abs(way.y) ? 0 : 1u;
     if (nook_abs(way.z) > nook_abs(nook_along(&way, l->axis))) l->axis = 2;
     by = 1.0f / nook_along(&way, l->axis);
+    l->mirrored = by < 0;
     l->u = nook_along(&way, nook_after(l->axis)) * by;
     l->v = nook_along(&way, nook_after(nook_after(l->axis))) * by;
     l->length = nook_sqrt(1.0f + l->u * l->u + l->v * l->v);
@@ -106,16 +108,24 @@ NOOK_APART static bool begin_sight(sight *l) {
 
 static float more(float a, float b) { return a > b ? a : b; }
 
-/* What all places of an edge to ring corner i, or of the edge itself (i beyond them), must have. */
-static float due_along(const sight *l, uint32_t end, uint32_t i) {
-    bool edge = i == l->r->n;
-    seen p = look_at_end(l, end), w = edge ? look_at_end(l, 1) : look_at_ring(l, i);
-    const nook_index *V = l->m->V;
-    uint32_t j;
+/* The ring corner before or after another; A and D come twice. */
+static uint32_t beside(const nook_edge_ring *r, uint32_t i, bool before) {
+    i = before ? i - 1u : i + 1u;
+    if (i == r->start[2]) i = before ? i - 1u : i + 1u;
+    return i == 0 ? r->n - 1u : i == r->n ? 1u : i;
+}
+
+/* What all places of the edge from an end, seen at p, to ring corner i, seen at w, must have. It crosses new edges one after the
+ * other, from the next to w on until they are seen beyond p. */
+static float due_along(const sight *l, uint32_t i, seen p, seen w) {
+    bool left = cross(w, p) > 0, before = left != l->mirrored;
+    uint32_t j, rest = l->r->n;
     float due = 0;
-    for (j = 1; j < l->r->n; j++) {
-        if (j == l->r->start[2]) j++;
-        if (edge || V[l->r->c[i]] != V[l->r->c[j]]) due = more(due, due_across(l, p, w, look_at_ring(l, j)));
+    for (j = beside(l->r, i, before); rest-- > 0; j = beside(l->r, j, before)) {
+        seen z = look_at_ring(l, j);
+        if (l->m->V[l->r->c[i]] == l->m->V[l->r->c[j]]) continue;
+        if ((cross(z, p) > 0) != left) break;
+        due = more(due, due_across(l, p, w, z));
     }
     return due;
 }
@@ -123,14 +133,15 @@ static float due_along(const sight *l, uint32_t end, uint32_t i) {
 /* By the second map. */
 NOOK_APART static float due_straight(const sight *l) {
     seen c = look_at_end(l, 0), b = look_at_end(l, 1);
-    float due = due_along(l, 0, l->r->n), size = nook_abs(c.u) + nook_abs(c.v) + nook_abs(c.h);
+    float due = 0, size = nook_abs(c.u) + nook_abs(c.v) + nook_abs(c.h);
     uint32_t i;
     for (i = 1; i < l->r->n; i++) {
         seen w, z;
         if (i == l->r->start[2]) i++;
         w = look_at_ring(l, i), z = look_at_ring(l, i - 1u);
         size = more(size, nook_abs(w.u) + nook_abs(w.v) + nook_abs(w.h));
-        due = more(due, due_along(l, i > l->r->start[2], i));
+        due = more(due, due_across(l, c, b, w));
+        due = more(due, due_along(l, i, i > l->r->start[2] ? b : c, w));
         due = more(due, due_under(l, i > l->r->start[2] ? b : c, w, z));
         if (i == 1u || i == l->r->start[2] + 1u) continue;
         due = more(due, more(due_in(l, c, w, z), due_in(l, b, w, z)));

@@ -219,7 +219,7 @@ NOOK_APART static bool place_outside(const nook_simplify_state *s, const nook_ed
         nook_triple y2 = i == 2u ? hold_outside(s, r, f, y) : nook_by(f->half, i == 0 ? -1.0f : 1.0f);
         float less = cost_at(f, y2);
         nook_point place = i == 2u ? from_middle(s, r, y2) : r->p[i];
-        if (!(less < *cost * (i == 2u ? 0.75f : 1.0f)) || !is_outside(s, r, &place)) continue;
+        if (!(less < *cost * (i == 2u ? 0.5f : 1.0f)) || !is_outside(s, r, &place)) continue;
         *cost = less;
         *at = place;
     }
