@@ -16,8 +16,8 @@ typedef struct sight {
     nook_point at;
     uint32_t axis;
     bool mirrored; /* the ring runs counter-clockwise as seen, else clockwise */
-    float u, v;   /* how far one goes sideways, a unit of h */
-    float length; /* and how far in all */
+    float u, v;    /* how far one goes sideways, a unit of h */
+    float length;  /* and how far in all */
 } sight;
 
 static seen look(const sight *l, nook_point p, float e) {
@@ -69,26 +69,32 @@ static float due_across(const sight *l, seen p, seen w, seen z) {
     return (p.e + y * d.e + l->length * nook_abs(p.h + y * d.h - t * z.h) - t * z.e) / nook_abs(1.0f - t);
 }
 
-/* Whether triangle a b c faces the way one looks, by a sixteenth of its area at least. */
-static bool faces(const sight *l, const nook_point *way, const nook_point *a, const nook_point *b,
-                  const nook_point *c) {
-    nook_point n = nook_cross(nook_between(*a, *b, l->scale), nook_between(*a, *c, l->scale));
-    float d = nook_dot(n, *way);
-    return d > 0 && d * d * 256.0f > nook_dot(n, n) * nook_dot(*way, *way);
+/* Whether a triangle with that normal faces the way one looks, by a sixteenth of its area at least. */
+static bool faces(nook_triple way, float square, nook_triple normal) {
+    float d = nook_inner(normal, way);
+    return d > 0 && d * d * 256.0f > nook_inner(normal, normal) * square;
+}
+
+/* Of a triangle with a corner at p. */
+static nook_triple normal_at(const sight *l, const nook_point *p, const nook_point *q, const nook_point *r) {
+    nook_triple corner = nook_triple_at(p);
+    return nook_outer(nook_by(nook_minus(nook_triple_at(q), corner), l->scale),
+                      nook_by(nook_minus(nook_triple_at(r), corner), l->scale));
 }
 
 /* Look along the vector area. Whether both surfaces lie flat over the ring, and the new once. */
 NOOK_APART static bool begin_sight(sight *l) {
     const nook_mesh *m = l->m;
-    nook_point way = nook_make(0, 0, 0);
+    nook_triple sum = nook_triple_of(0, 0, 0);
+    nook_point way;
     const nook_point *t[3];
     uint32_t i, turns_of_ring = 0;
-    float by;
+    float by, square;
     for (i = 0; i < l->r->n; i++) {
-        if (!nook_ring_face(m, l->r, i, t)) continue;
-        way = nook_sub(
-            way, nook_cross(nook_between(*t[0], *t[2], l->scale), nook_between(*t[0], *t[1], l->scale)));
+        if (nook_ring_face(m, l->r, i, t)) sum = nook_plus(sum, normal_at(l, t[0], t[1], t[2]));
     }
+    way = nook_point_of(sum);
+    square = nook_inner(sum, sum);
     l->axis = nook_abs(way.x) > nook_abs(way.y) ? 0 : 1u;
     if (nook_abs(way.z) > nook_abs(nook_along(&way, l->axis))) l->axis = 2;
     by = 1.0f / nook_along(&way, l->axis);
@@ -98,9 +104,9 @@ NOOK_APART static bool begin_sight(sight *l) {
     l->length = nook_sqrt(1.0f + l->u * l->u + l->v * l->v);
     for (i = 0; i < l->r->n; i++) {
         if (!nook_ring_face(m, l->r, i, t)) continue;
-        if (!faces(l, &way, t[0], t[1], t[2])) return false;
+        if (!faces(sum, square, normal_at(l, t[0], t[1], t[2]))) return false;
         if (i == 1u || i == l->r->start[2] + 1u) continue; /* at the edge */
-        if (!faces(l, &way, &l->at, t[1], t[2])) return false;
+        if (!faces(sum, square, normal_at(l, &l->at, t[1], t[2]))) return false;
         turns_of_ring += (look(l, *t[1], 0).v < 0) != (look(l, *t[2], 0).v < 0);
     }
     return turns_of_ring == 2u;
@@ -132,17 +138,17 @@ static float due_along(const sight *l, uint32_t i, seen p, seen w) {
 
 /* By the second map. */
 NOOK_APART static float due_straight(const sight *l) {
-    seen c = look_at_end(l, 0), b = look_at_end(l, 1);
+    seen c = look_at_end(l, 0), b = look_at_end(l, 1), p = c, w = b, z;
     float due = 0, size = nook_abs(c.u) + nook_abs(c.v) + nook_abs(c.h);
     uint32_t i;
     for (i = 1; i < l->r->n; i++) {
-        seen w, z;
-        if (i == l->r->start[2]) i++;
-        w = look_at_ring(l, i), z = look_at_ring(l, i - 1u);
+        z = w;
+        if (i == l->r->start[2]) i++, p = b, z = c;
+        w = look_at_ring(l, i);
         size = more(size, nook_abs(w.u) + nook_abs(w.v) + nook_abs(w.h));
         due = more(due, due_across(l, c, b, w));
-        due = more(due, due_along(l, i, i > l->r->start[2] ? b : c, w));
-        due = more(due, due_under(l, i > l->r->start[2] ? b : c, w, z));
+        due = more(due, due_along(l, i, p, w));
+        due = more(due, due_under(l, p, w, z));
         if (i == 1u || i == l->r->start[2] + 1u) continue;
         due = more(due, more(due_in(l, c, w, z), due_in(l, b, w, z)));
     }
