@@ -320,15 +320,20 @@ static nook_status collapse(nook_simplify_state *s, uint32_t c, const choice *to
     return NOOK_OK;
 }
 
-/* With all conditions; what stands in the way is kept. */
+/* What stands in the way is kept. */
+static void refuse(nook_simplify_state *s, uint32_t c, nook_status status) {
+    s->refused = status;
+    s->where = nook_at(NOOK_AT_CORNER, c);
+}
+
+/* With all conditions. */
 static bool try_edge(nook_simplify_state *s, uint32_t c, const choice *to, nook_status status) {
     if (status == NOOK_OK) status = collapse(s, c, to);
     if (status == NOOK_OK) {
         s->idle = s->fresh = 0;
         return true;
     }
-    s->refused = status;
-    s->where = nook_at(NOOK_AT_CORNER, c);
+    refuse(s, c, status);
     return false;
 }
 
@@ -371,7 +376,7 @@ static uint32_t easiest(const nook_simplify_state *s, const nook_edge_ring *r, f
 }
 
 /* Until it is looked at from both ends, an edge is taken to cost half of what it would if C went all the way to B. */
-static void draw(nook_simplify_state *s) {
+NOOK_APART static void draw(nook_simplify_state *s) {
     nook_edge_ring r;
     uint32_t c = draw_corner(s);
     float cost;
@@ -381,7 +386,7 @@ static void draw(nook_simplify_state *s) {
         c = easiest(s, &r, &cost);
         put(s, c, 0.5f * cost);
     } else {
-        (void)try_edge(s, c, NULL, status);
+        refuse(s, c, status);
     }
 }
 
