@@ -400,6 +400,7 @@ static void every_status_has_a_name_and_a_text_of_its_own(void) {
     }
     CHECK(strcmp(nook_status_name(NOOK_BORDER_EDGE), "border_edge") == 0);
     CHECK(strcmp(nook_status_text(NOOK_BORDER_EDGE), "edge with a single triangle") == 0);
+    CHECK(strcmp(nook_status_text(NOOK_EMPTY_MESH), "no triangles, or no tree over them") == 0);
     CHECK(strcmp(nook_status_name(NOOK_UNKNOWN_FORMAT), "unknown_format") == 0);
     CHECK_EQUAL(NOOK_OK, 0);
 }

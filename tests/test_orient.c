@@ -621,6 +621,24 @@ static void corner_to_corner_shells_are_outside_each_other(void) {
     }
 }
 
+static void a_unit_looks_at_one_pair_that_touches(void) {
+    nook_orient_shells_state state;
+    nook_status status;
+    d.state = 21;
+    begin_solid();
+    add_box(cube_of(0, 2), 0);
+    add_box(cube_of(2, 3), 0);
+    prepare();
+    CHECK_EQUAL(nook_orient_shells_begin(&state, NULL, &bvh, &b.shells, NULL, &listening), NOOK_OK);
+    do {
+        uint32_t units = 1, before = heard.count[NOOK_SELF_INTERSECTION];
+        status = nook_orient_shells_step(&state, &units);
+        CHECK(heard.count[NOOK_SELF_INTERSECTION] <= before + 1u);
+    } while (status == NOOK_MORE);
+    CHECK_EQUAL(status, NOOK_OK);
+    CHECK_EQUAL(heard.count[NOOK_SELF_INTERSECTION], 3 * 3);
+}
+
 static void is_refused(nook_status status) {
     uint32_t before;
     prepare();
@@ -830,6 +848,7 @@ static const test tests[] = {
     TEST(a_cavity_that_touches_its_outer_shell_at_a_corner_is_a_cavity),
     TEST(shells_may_share_a_vertex),
     TEST(corner_to_corner_shells_are_outside_each_other),
+    TEST(a_unit_looks_at_one_pair_that_touches),
     TEST(shells_that_cross_or_share_more_than_corners_are_refused),
     TEST(a_shell_with_all_corners_on_others_is_refused),
     TEST(shells_that_are_not_closed_or_not_oriented_are_refused),

@@ -14,7 +14,7 @@ static const char *const names[NOOK_STATUS_COUNT][2] = {
     {"coordinate_too_large", "a coordinate is larger than 2^30"},
     {"bad_opposite", "a corner and its opposite do not agree"},
     {"bad_vertex_corner", "the corner kept for a vertex is not one of its corners"},
-    {"empty_mesh", "no triangle"},
+    {"empty_mesh", "no triangles, or no tree over them"},
     {"repeated_vertex", "triangle with a repeated vertex"},
     {"duplicate_triangle", "triangle on the same vertices as another"},
     {"isolated_vertex", "vertex of no triangle"},

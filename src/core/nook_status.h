@@ -25,7 +25,7 @@ typedef enum nook_status {
     NOOK_BAD_VERTEX_CORNER, /* the corner-of-a-vertex table names a corner of another vertex. where: the vertex */
 
     /* Defects of a mesh. Edges are named by a corner that faces them. */
-    NOOK_EMPTY_MESH,      /* no triangle */
+    NOOK_EMPTY_MESH,      /* no triangles; or a tree that is asked was not built over them */
     NOOK_REPEATED_VERTEX, /* a triangle with two or three equal vertices. where: the triangle */
     NOOK_DUPLICATE_TRIANGLE, /* a triangle on the same three vertices as another; every copy but one is named. where: the triangle */
     NOOK_ISOLATED_VERTEX,    /* a vertex of no triangle. where: the vertex */

@@ -57,7 +57,8 @@ typedef struct nook_hull_state {
  * Steps: about 20 nv + 60 h if h of them are vertices; but a flat face of w vertices is made anew with each, which takes
  * 3 w^2. Never more than nv^3 / 6 + 8 nv^2 + 30 nv + 30: each point is added once; when m are vertices they have 2 m - 4 faces,
  * which it may take away, and there are nv - m more, which may have to be held against m new faces. A step is one
- * nook_orient3d() or nook_facing(), or 16 looks along a list. */
+ * nook_orient3d() or nook_facing(), or 16 looks along a list: at most 1,100 instructions on M4F and 3,200 on M0 where floats and
+ * integers decide. */
 nook_status nook_hull_begin(nook_hull_state *state, nook_mesh *mesh, const nook_marks *marks,
                             const nook_edit *edit);
 nook_status nook_hull_step(nook_hull_state *state, uint32_t *units);

@@ -222,6 +222,7 @@ static nook_status look_at_pairs(nook_orient_shells_state *s, uint32_t *units) {
         if (!touch(&s->bvh->view, t, u)) return NOOK_SELF_INTERSECTION;
         nook_tell(s->finder, NOOK_SELF_INTERSECTION, NOOK_AT_TRIANGLE, t);
         *units -= *units != 0;
+        if (*units == 0) return NOOK_MORE; /* one leaf against another has up to 16 pairs */
     }
 }
 

@@ -57,9 +57,9 @@ typedef struct nook_smooth_state {
  *     result->where: the vertex, or the corner. Nothing was changed, unless the tables have changed since
  * All but *how must stay until the end. Given up, the mesh is smoothed along some axes more than along others.
  * Steps: nv + 2 nt + 3, and a pass 6 nv + 6; with a reference a pass also sweeps over all triangles, along each axis until nothing
- * is held back any more: twice is the rule, nv + 1 times the most, nt + 1 steps each. A step is twice round a fan, some 160
- * instructions for each of its triangles on M4F and 430 on M0; or a triangle of an exact volume, 1,000 and 2,500; or two
- * nook_compare_normals(). */
+ * is held back any more: twice is the rule, nv + 1 times the most, nt + 1 steps each. A step is twice round a fan, at most
+ * 150 instructions for each of its triangles on M4F and 410 on M0; or a triangle of an exact volume, 1,000 and 2,200; or two
+ * nook_compare_normals(), 500 and 10,100 where floats decide. */
 nook_status nook_smooth_begin(nook_smooth_state *state, nook_mesh *mesh, const nook_smoothing *how,
                               float *next, nook_smoothed *result);
 nook_status nook_smooth_step(nook_smooth_state *state, uint32_t *units);

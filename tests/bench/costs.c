@@ -1,7 +1,7 @@
 /* costs.c -- what the library costs on an emulated core that counts instructions, line by line for the table
  * that tests/tools/costs.py keeps: weld, link, survey and check a triangle and at most a unit, over a torus, sound and
  * with defects of every kind; each exact sign, by the stage that decides it; walks, normals, smoothing, and edits of a mesh of valence 6;
- * queries on a link of 300 triangles.
+ * queries, hull and simplification on a link of 300 triangles.
  *
  * The emulator counts 64 ns for every instruction; TICK is a tick of the port in tenths of a nanosecond. */
 #include "check.h"
@@ -15,16 +15,25 @@ enum { SIDE = 24, MORE = 40 };
 #endif
 enum { T = 2 * SIDE * SIDE, MAX_T = T + MORE, MAX_V = 3 * MAX_T, MAX_SHELLS = 4 };
 enum { SECTORS = 10, RINGS = 15, LINK_V = SECTORS * RINGS + 2, LINK_T = 2 * SECTORS * RINGS };
+enum { SHELL_V = 4, SHELL_T = 4, TWO_V = LINK_V + SHELL_V, TWO_T = LINK_T + SHELL_T };
+enum { MOST_V = (int)TWO_V > (int)MAX_V ? (int)TWO_V : (int)MAX_V };
+enum { MOST_T = (int)TWO_T > (int)MAX_T ? (int)TWO_T : (int)MAX_T };
 static union {
     NOOK_MESH_ARRAYS(MAX_V, MAX_T) torus;
-    NOOK_MESH_ARRAYS(LINK_V, LINK_T) link;
+    NOOK_MESH_ARRAYS(TWO_V, TWO_T) link;
 } memory;
 #define arrays memory.torus
-static NOOK_BVH_ARRAYS(LINK_T) tree;
-static nook_index map[MAX_V], component[MAX_T], stamp[MAX_V];
+static NOOK_BVH_ARRAYS(TWO_T) tree;
+static nook_index map[MAX_V], component[MOST_T], stamp[MOST_V];
 static nook_shell shell[MAX_SHELLS];
-static uint8_t Mt[NOOK_MT_BYTES(MAX_T)], Mv[NOOK_MV_BYTES(MAX_V)];
-static float numbers[9 * T];
+static uint8_t Mt[NOOK_MT_BYTES(MOST_T)], Mv[NOOK_MV_BYTES(MOST_V)];
+static const nook_marks marks = {Mt, Mv, MOST_T, MOST_V};
+enum { RECORDED = 50 };
+static union {
+    float number[9 * T];
+    nook_vertex_split split[RECORDED];
+} scratch;
+#define numbers scratch.number
 static nook_mesh mesh;
 
 static void print_cost(const char *what, const char *of, uint32_t instructions) {
@@ -91,7 +100,6 @@ static void print_costs(const char *mesh_name, const char *of, const cost *c) {
 static uint32_t debt_of(const nook_check_state *s) { return s->phase == 6u ? s->in.geometry.debt : 0; }
 
 static void measure(const char *name, bool defects) {
-    nook_marks marks = {Mt, Mv, MAX_T, MAX_V};
     nook_shells shells = {shell, component, stamp, MAX_SHELLS, 0};
     nook_weld_state weld;
     nook_link_state link;
@@ -130,6 +138,21 @@ static void measure(const char *name, bool defects) {
     print_costs(name, "check_", &costs[3]);
 }
 
+/* Welded, not linked. */
+static void orient(const char *name, bool defects) {
+    nook_orient_state state;
+    cost c = {0, 0};
+    uint32_t units;
+    nook_status status;
+    soup(defects);
+    nook_weld(&mesh, map, arrays.O, NULL);
+    nook_orient_begin(&state, &mesh, &marks, NULL, NULL);
+    do {
+        units = 1, start(), status = nook_orient_step(&state, &units), note(&c, 0);
+    } while (status == NOOK_MORE);
+    print_costs(name, "orient_", &c);
+}
+
 /* ---- exact signs ------------------------------------------------------------------------------------- */
 
 /* Decided by floats, if there is an FPU; by integers, 0; by the sum, 0. */
@@ -163,14 +186,12 @@ static void signs(void) {
 /* Valence 6 everywhere. */
 static void whole_torus(void) {
     nook_report report;
-    nook_marks marks = {Mt, Mv, MAX_T, MAX_V};
     soup(false);
     nook_weld(&mesh, map, arrays.O, NULL);
     nook_link(&mesh, &marks, NULL, NULL, &report, NULL);
 }
 
 static void walks(void) {
-    nook_marks marks = {Mt, Mv, MAX_T, MAX_V};
     nook_view view;
     nook_star star;
     nook_flood flood;
@@ -207,9 +228,9 @@ static void walks(void) {
     (void)sink;
 }
 
-/* Unit by unit, a round of Taubin; with or without points for reference. */
-static void smooth(const char *name, const nook_point *reference) {
-    const nook_smoothing how = {1, NOOK_TAUBIN_LAMBDA, NOOK_TAUBIN_MU, false, reference};
+/* Unit by unit, so many rounds of Taubin, two passes each; with or without points for reference. */
+static cost smooth_rounds(uint32_t rounds, const nook_point *reference) {
+    const nook_smoothing how = {rounds, NOOK_TAUBIN_LAMBDA, NOOK_TAUBIN_MU, false, reference};
     nook_smooth_state state;
     nook_smoothed result;
     cost c = {0, 0};
@@ -219,12 +240,17 @@ static void smooth(const char *name, const nook_point *reference) {
     do {
         units = 1, start(), status = nook_smooth_step(&state, &units), note(&c, 0);
     } while (status == NOOK_MORE);
-    print_cost(name, "_a_triangle", c.sum / mesh.nt);
-    print_cost(name, "_most_a_unit", c.most);
+    return c;
+}
+
+static void smooth(const char *name, const nook_point *reference) {
+    cost none = smooth_rounds(0, reference), once = smooth_rounds(1, reference);
+    print_cost(name, "_a_triangle", once.sum / mesh.nt);
+    print_cost(name, "_a_vertex_and_pass", (once.sum - none.sum) / (2u * mesh.nv));
+    print_cost(name, "_most_a_unit", once.most);
 }
 
 static void trees_and_normals(void) {
-    nook_marks marks = {Mt, Mv, MAX_T, MAX_V};
     nook_view view;
     nook_trees trees;
     nook_loop loop;
@@ -309,7 +335,6 @@ static void sewing(void) {
 
 /* In one call, for comparison with the same without guards. */
 static void survey_only(void) {
-    nook_marks marks = {Mt, Mv, MAX_T, MAX_V};
     nook_survey_state survey;
     nook_survey surveyed;
     nook_report report;
@@ -338,7 +363,7 @@ static void robot_link(void) {
         {-1, 0}, {-0.809f, -0.588f}, {-0.309f, -0.951f}, {0.309f, -0.951f}, {0.809f, -0.588f}};
     static const uint8_t radius[RINGS] = {40, 60, 61, 62, 62, 50, 49, 49, 50, 58, 59, 59, 47, 45, 30};
     uint32_t ring, k, last = LINK_V - 1;
-    nook_mesh_init(&mesh, memory.link.G, memory.link.V, memory.link.O, memory.link.C, LINK_V, LINK_T);
+    nook_mesh_init(&mesh, memory.link.G, memory.link.V, memory.link.O, memory.link.C, TWO_V, TWO_T);
     mesh.nv = LINK_V;
     mesh.G[0] = nook_make(0, 0, 0);
     mesh.G[last] = nook_make(0, 0, 0.3f);
@@ -467,6 +492,187 @@ static void edit_with_tree(void) {
     print_cost("collapse", "_without_cutting", spent() + c * 100000000u);
 }
 
+/* ---- shapes ------------------------------------------------------------------------------------------ */
+
+/* A tetrahedron on vertices from v on, whose fourth stands above the other three. */
+static void add_tetrahedron(uint32_t v) {
+    add(v, v + 2, v + 1);
+    add(v, v + 1, v + 3);
+    add(v + 1, v + 2, v + 3);
+    add(v + 2, v, v + 3);
+    mesh.nv = v + 4;
+}
+
+static uint32_t touched;
+static void count_touched(void *user, nook_status defect, nook_where where) {
+    (void)user, (void)where;
+    touched += defect == NOOK_SELF_INTERSECTION;
+}
+
+/* The shells of the mesh; those units apart in which two of them touch. */
+static void orient_shells(cost *c, cost *of_touching) {
+    static const nook_finder finder = {count_touched, NULL};
+    nook_shells shells = {shell, component, stamp, MAX_SHELLS, 0};
+    nook_orient_shells_state state;
+    nook_check_result result;
+    nook_report report;
+    nook_bvh bvh;
+    nook_view view;
+    uint32_t units, before_it;
+    nook_status status;
+    nook_link(&mesh, &marks, NULL, NULL, &report, NULL);
+    view = nook_view_of(&mesh);
+    nook_check(&view, &marks, &report, &shells, NULL, &result);
+    nook_bvh_build(&bvh, &view, tree.boxes, tree.order, NULL);
+    nook_orient_shells_begin(&state, &mesh, &bvh, &shells, NULL, &finder);
+    do {
+        before_it = touched;
+        units = 1, start(), status = nook_orient_shells_step(&state, &units);
+        note(touched == before_it ? c : of_touching, 0);
+    } while (status == NOOK_MORE);
+    c->sum += (uint32_t)status * 100000000u;
+}
+
+/* Two solids, of which the second stands on tiptoe, so far up, or with a whole side on the table of the first. In the
+ * latter case two triangles in one plane touch in a corner. */
+static void touching(const char *name, float up) {
+    const nook_point p[8] = {{0, 0.2f, 0},  {0.1f, 0.1f, 0}, {0.2f, 0.1f, 0}, {0.1f, 0.13f, 0.1f},
+                             {0.2f, 0, up}, {0.1f, 0.1f, 0}, {0, 0.1f, up},   {0.1f, 0.07f, 0.1f}};
+    cost c = {0, 0}, of_touching = {0, 0};
+    touched = mesh.nt = 0;
+    memcpy(mesh.G, p, sizeof p);
+    add_tetrahedron(0);
+    add_tetrahedron(4);
+    orient_shells(&c, &of_touching);
+    print_cost("orient_shells_most_a_unit_that_touches", name,
+               of_touching.most + (touched == 0 || c.sum >= 100000000u) * 100000000u);
+}
+
+/* A solid beside the link; and two that touch. */
+static void shells(void) {
+    static const nook_point beside[4] = {
+        {0.1f, 0.1f, 0.1f}, {0.15f, 0.1f, 0.1f}, {0.1f, 0.15f, 0.1f}, {0.12f, 0.12f, 0.15f}};
+    cost c = {0, 0}, none = {0, 0};
+    robot_link();
+    memcpy(mesh.G + LINK_V, beside, sizeof beside);
+    add_tetrahedron(LINK_V);
+    orient_shells(&c, &none);
+    print_cost("orient_shells", "_a_triangle", c.sum / mesh.nt);
+    print_cost("orient_shells", "_most_a_unit", c.most);
+    touching("", 0.03f);
+    touching("_in_a_plane", 0);
+}
+
+static void hull(void) {
+    nook_hull_state state;
+    cost c = {0, 0};
+    uint32_t units;
+    nook_status status;
+    robot_link();
+    nook_hull_begin(&state, &mesh, &marks, NULL);
+    do {
+        units = 1, start(), status = nook_hull_step(&state, &units), note(&c, 0);
+    } while (status == NOOK_MORE);
+    print_cost("hull", "_a_point", c.sum / LINK_V + (uint32_t)status * 100000000u);
+    print_cost("hull", "_most_a_unit", c.most);
+}
+
+/* The mesh, linked and simplified; how many units it took in *calls. */
+static cost simplify(const nook_simplify_goal *goal, uint32_t *calls) {
+    nook_simplify_state state;
+    nook_report report;
+    cost c = {0, 0};
+    uint32_t units;
+    nook_status status;
+    nook_link(&mesh, &marks, NULL, NULL, &report, NULL);
+    nook_simplify_begin(&state, &mesh, goal, NULL);
+    *calls = 0;
+    do {
+        units = 1, start(), status = nook_simplify_step(&state, &units), note(&c, 0);
+        ++*calls;
+    } while (status == NOOK_MORE);
+    c.sum += (uint32_t)status * 100000000u;
+    return c;
+}
+
+/* The link, to a third of its triangles. */
+static void simplify_link(const char *name, nook_simplify_goal goal) {
+    uint32_t calls;
+    cost c;
+    robot_link();
+    memset(numbers, 0, sizeof numbers);
+    goal.triangles = LINK_T / 3;
+    goal.error = 1;
+    c = simplify(&goal, &calls);
+    print_cost(name, "_a_unit", c.sum / calls);
+    print_cost(name, "_a_collapse", c.sum / (LINK_V - mesh.nv));
+    print_cost(name, "_most_a_unit", c.most);
+}
+
+/* Two hubs over or below a rim, to be one: as many corners around an edge as there may be. */
+static void simplify_hubs(const char *name, nook_simplify_goal goal, uint32_t corners, float height) {
+    uint32_t half = corners / 2u - 2u, k, calls;
+    cost c;
+    nook_mesh_init(&mesh, arrays.G, arrays.V, arrays.O, arrays.C, MAX_V, MAX_T);
+    mesh.nv = 2u * half + 2u;
+    mesh.G[0] = nook_make(-0.01f, 0, height);
+    mesh.G[1] = nook_make(0.01f, 0, height);
+    for (k = 0; k < 2u * half; k++) {
+        float t = 1.0f - 2.0f * (float)(k % half) / (float)half, x = (1 - t * t) / (1 + t * t),
+              y = 2 * t / (1 + t * t), z = 0.05f * (float)(k & 1u);
+        mesh.G[k + 2u] = k < half ? nook_make(x, -y, z) : nook_make(-x, y, z);
+        add(k < half, k + 2u, k + 1u < 2u * half ? k + 3u : 2u);
+    }
+    add(1, half + 2u, 0);
+    add(0, 2, 1);
+    memset(numbers, 0, sizeof numbers);
+    goal.triangles = mesh.nt - 2u;
+    goal.error = 1;
+    c = simplify(&goal, &calls);
+    print_cost("simplify", name, c.most + (c.sum >= 100000000u) * 100000000u);
+}
+
+static void simplifications(void) {
+    static const nook_simplify_goal plain = {0, 0, NULL, false, NULL}, near = {0, 0, numbers, false, NULL},
+                                    outside = {0, 0, NULL, true, NULL};
+    simplify_link("simplify", plain);
+    simplify_link("simplify_with_deviation", near);
+    simplify_link("simplify_outside", outside);
+    simplify_hubs("_most_a_unit_at_44_corners", plain, 44, 0.1f);
+    simplify_hubs("_with_deviation_most_a_unit_at_44_corners", near, 44, 0.1f);
+    simplify_hubs("_outside_most_a_unit_at_24_corners", outside, 24, -0.3f);
+}
+
+/* A collapse at valence 6, back and forth; and those of the link, by one call each. */
+static void levels(void) {
+    nook_levels record = nook_levels_in(scratch.split, RECORDED);
+    nook_simplify_goal goal = {LINK_T - 2 * RECORDED, 0, NULL, false, NULL};
+    cost down = {0, 0}, up = {0, 0};
+    nook_status status;
+    uint32_t units;
+    whole_torus();
+    start(), status = nook_levels_collapse(&record, &mesh, 30, mesh.G[mesh.V[31]], NULL);
+    print_cost("levels", "_collapse", spent() + (uint32_t)status * 100000u);
+    start(), status = nook_levels_refine(&record, &mesh, NULL);
+    print_cost("levels", "_refine", spent() + (uint32_t)status * 100000u);
+    start(), status = nook_levels_coarsen(&record, &mesh, NULL);
+    print_cost("levels", "_coarsen", spent() + (uint32_t)status * 100000u);
+    record = nook_levels_in(scratch.split, RECORDED);
+    robot_link();
+    goal.levels = &record;
+    (void)simplify(&goal, &units);
+    do {
+        units = 1, start(), status = nook_levels_step(&record, &mesh, LINK_T, NULL, &units), note(&up, 0);
+    } while (status == NOOK_MORE);
+    do {
+        units = 1, start(), status = nook_levels_step(&record, &mesh, 0, NULL, &units), note(&down, 0);
+    } while (status == NOOK_MORE);
+    print_cost("levels", "_finer_mean", up.sum / RECORDED);
+    print_cost("levels", "_finer_most", up.most);
+    print_cost("levels", "_coarser_mean", down.sum / RECORDED);
+    print_cost("levels", "_coarser_most", down.most);
+}
+
 int main(void) {
     start();
     overhead = (nook_port_ticks() - before) & 0xFFFFFFu;
@@ -474,6 +680,8 @@ int main(void) {
 #ifndef ONLY_SURVEY
     measure("sound_", false);
     measure("defective_", true);
+    orient("sound_", false);
+    orient("defective_", true);
     signs();
     walks();
     trees_and_normals();
@@ -485,6 +693,10 @@ int main(void) {
     sewing();
     queries();
     edit_with_tree();
+    shells();
+    hull();
+    simplifications();
+    levels();
 #endif
     return 0;
 }

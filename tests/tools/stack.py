@@ -3,8 +3,8 @@
 
 Own functions: gcc's -fstack-usage and -fcallgraph-info, one .ci file an object. Helpers of the compiler
 and of libc have none, so the first instructions of each are read from the disassembly of libgcc and
-libc: pushes and what is taken off sp, and whom they call. Calls through a pointer are listed; the only
-one is the caller's own nook_finder, whose stack is not counted."""
+libc: pushes and what is taken off sp, and whom they call. Calls through a pointer are listed: the caller's own
+nook_finder, whose stack is not counted, and what edits ask of a nook_guard, counted apart."""
 import argparse, collections, pathlib, re, subprocess, sys
 
 ap = argparse.ArgumentParser()
@@ -15,7 +15,7 @@ ap.add_argument('--objects')
 ap.add_argument('flags', nargs='*')
 opts = ap.parse_args()
 
-frame, calls, indirect = {}, collections.defaultdict(set), set()
+frame, calls, indirect, guarded = {}, collections.defaultdict(set), set(), set()
 
 
 def short(title):
@@ -35,6 +35,8 @@ for path in (pathlib.Path(opts.objects, p).with_suffix('.ci') for p in sorted(pa
     for source, target in re.findall(r'edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"', text):
         if target == '__indirect_call':
             indirect.add(short(source))
+            if re.match(r'src/edit/nook_(local|sew|fill)\.c:', source):
+                guarded.add(source)
         else:
             calls[own[source]].add(own.get(target, short(target)))
 
@@ -105,6 +107,14 @@ public = sorted((n for n in frame if n.startswith('nook_')), key=lambda n: (-dep
 print(f'{opts.name}: worst-case stack in bytes, helpers included')
 for name in public:
     print(f'  {depth(name):4}  {name}')
+alone = dict(worst)
+worst.clear()
+for source in guarded:
+    calls[source].add('nook_guard_look')
+for name in sorted(public, key=lambda n: (-depth(n), n)):
+    if depth(name) != alone[name]:
+        print(f'  {depth(name):4}  {name}_with_a_guard')
+worst = alone
 print(f'  calls through a pointer (a nook_finder): {", ".join(sorted(indirect)) or "none"}')
 if unknown:
     sys.exit(f'nothing is known of: {", ".join(sorted(unknown))}')
