@@ -621,7 +621,7 @@ static void simplify_hubs(const char *name, nook_simplify_goal goal, uint32_t co
         float t = 1.0f - 2.0f * (float)(k % half) / (float)half, x = (1 - t * t) / (1 + t * t),
               y = 2 * t / (1 + t * t), z = 0.05f * (float)(k & 1u);
         mesh.G[k + 2u] = k < half ? nook_make(x, -y, z) : nook_make(-x, y, z);
-        add(k < half, k + 2u, k + 1u < 2u * half ? k + 3u : 2u);
+        add(k + 2u, k + 1u < 2u * half ? k + 3u : 2u, k < half);
     }
     add(1, half + 2u, 0);
     add(0, 2, 1);
