@@ -36,7 +36,7 @@ typedef struct nook_simplify_goal {
     uint32_t triangles;  /* stop at so many or less; 0: as few as all else allows */
     float error;         /* with deviation: none may become larger */
     float *deviation;    /* [max_nv] or null; in: usually 0, out: one for each vertex */
-    bool outside;        /* for closed, oriented meshes; what is at a border stays as it is */
+    bool outside;        /* for solids, all shells facing out of them; what is at a border stays as it is */
     nook_levels *levels; /* or null: every collapse is recorded, to be taken back and made again */
 } nook_simplify_goal;
 
@@ -73,7 +73,7 @@ typedef struct nook_simplify_state {
  *   NOOK_NO_CAPACITY         the record is full
  *   NOOK_BAD_OPPOSITE, NOOK_INDEX_OUT_OF_RANGE  the tables do not hold
  * An inner edge takes two triangles with it, one at a border one: what is reached is goal->triangles, or one less.
- * Steps: nv, and then about 4 for each collapse; between two collapses never more than 11 nt + 100. A step is one edge looked at, at
+ * Steps: nv, and then about 4 for each collapse; between two collapses never more than 19 nt + 170. A step is one edge looked at, at
  * most one collapsed. */
 nook_status nook_simplify_begin(nook_simplify_state *state, nook_mesh *mesh, const nook_simplify_goal *goal,
                                 const nook_edit *edit);
