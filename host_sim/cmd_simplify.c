@@ -10,6 +10,7 @@
 #include "decimal.h"
 #include "heap.h"
 #include "json.h"
+#include "verdict.h"
 
 const char simplify_help[] =
     "nook simplify [OPTION...] IN OUT (--triangles N | --error E)        the same shape with fewer "
@@ -20,7 +21,8 @@ const char simplify_help[] =
     "surfaces of IN and OUT are from each other at most, in either direction.\n"
     "  --triangles N       stop at N triangles, or one less\n"
     "  --error E           as few as can be while neither surface is farther than E from the other\n"
-    "  --outside           nothing of the solid IN is outside OUT, exactly: for collision. IN is closed\n"
+    "  --outside           nothing of the solid IN is outside OUT, exactly: for collision. IN is closed and "
+    "faces outward\n"
     "  --convex            the same with the convex hull of IN, and OUT is convex; distances are from the "
     "hull\n"
     "  --format F          stl obj off ply, whatever OUT is called; OUT may be -\n"
@@ -78,7 +80,7 @@ static nook_status make_hull(nook_mesh *m) {
 }
 
 /* What stands in the way, or null. */
-static const char *link_mesh(nook_mesh *m, const nook_simplify_goal *goal) {
+static const char *link_mesh(nook_mesh *m) {
     nook_marks marks = {take(NOOK_MT_BYTES(m->max_nt), 1), take(NOOK_MV_BYTES(m->max_nv), 1), m->max_nt,
                         m->max_nv};
     nook_report report;
@@ -93,9 +95,23 @@ static const char *link_mesh(nook_mesh *m, const nook_simplify_goal *goal) {
     if (status != NOOK_OK) return nook_status_text(status);
     if (check.manifold != NOOK_YES || check.oriented != NOOK_YES || check.duplicate_triangles != 0)
         return "it is not a manifold, oriented mesh; nook check says where";
-    if (goal->outside && (check.watertight != NOOK_YES || check.inside_out != NOOK_NO))
-        return "it has no inside to be kept: it must be closed and face outward";
     return NULL;
+}
+
+/* Whether all shells face out of the solid they bound; each by itself where shells cross. */
+static bool faces_outward(const verdict *v) {
+    if (v->check.watertight != NOOK_YES || v->check.oriented != NOOK_YES) return false;
+    return v->outward == NOOK_MAYBE ? v->check.geometry.inside_out_shells == 0 : v->outward == NOOK_YES;
+}
+
+static bool look_for_solid(simplified *s, model *m, failure *f) {
+    verdict v;
+    bool good = examine(&v, m, 0, f);
+    if (good && !faces_outward(&v))
+        s->refused = "it has no inside to be kept: it must be closed and face outward; nook check says where "
+                     "it does not";
+    verdict_free(&v);
+    return good;
 }
 
 /* What is convex is made so again (nook_simplify.h says why it is no farther away). */
@@ -106,7 +122,7 @@ static void simplify(simplified *s, nook_mesh *m, nook_simplify_goal *goal, bool
         s->refused = "no hull has a volume: the points lie in one plane";
         return;
     }
-    s->refused = link_mesh(m, goal);
+    if (s->refused == NULL) s->refused = link_mesh(m);
     if (s->refused != NULL) return;
     goal->deviation = take(m->nv, sizeof *goal->deviation);
     for (v = 0; v < m->nv; v++) goal->deviation[v] = 0;
@@ -193,7 +209,8 @@ int cmd_simplify(const options *o) {
     s.out = o->operand[2];
     if (!options_for_goal(o, &goal) || !options_for_load(o, &load) || !option_format(o, s.out, &format))
         return 2;
-    if (model_load(&m, s.in, &load, 0, &f) && take_mesh(&mesh, &m.mesh, o->given[OPTION_CONVEX], &f)) {
+    if (model_load(&m, s.in, &load, 0, &f) && take_mesh(&mesh, &m.mesh, o->given[OPTION_CONVEX], &f) &&
+        (!o->given[OPTION_OUTSIDE] || look_for_solid(&s, &m, &f))) {
         s.vertices_in = m.mesh.nv;
         s.triangles_in = m.triangles_in;
         simplify(&s, &mesh, &goal, o->given[OPTION_CONVEX]);

@@ -3,7 +3,9 @@
  * Memory: the mesh, its points as they were, a float a vertex, and the tree of boxes over the original. */
 #include "commands.h"
 
+#include <float.h>
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 
 #include "decimal.h"
@@ -15,10 +17,12 @@ const char smooth_help[] =
     "nook smooth [OPTION...] IN OUT      a mesh without its noise\n"
     "\n"
     "Each vertex goes a part of the way to the middle of its neighbours. What is joined to what stays as\n"
-    "it is, no triangle turns over, and a border stays unless it may slide. Says how the volume of a closed\n"
-    "mesh has changed, and how far a vertex is from the surface it was on.\n"
+    "it is, no triangle turns over, and a border stays unless it may slide. Says how far the surfaces of\n"
+    "IN and OUT are from each other at most, which is as far as a vertex went; how far a vertex is from the\n"
+    "surface it was on; and how the volume of a closed mesh has changed.\n"
     "  --iterations N      rounds (default 10)\n"
-    "  --method taubin     a part of the way and a little more back: the volume is kept (default)\n"
+    "  --method taubin     a part of the way and a little more back: the volume of what is many edges\n"
+    "                      wide is nearly kept (default)\n"
     "  --method laplace    half of the way, and not back: shrinks\n"
     "  --slide             vertices at a border go to the middle of their two neighbours there\n"
     "  --format F          stl obj off ply, whatever OUT is called; OUT may be -\n"
@@ -34,8 +38,15 @@ typedef struct smoothed {
     uint32_t vertices, triangles;
     bool closed; /* and oriented: then there is a volume */
     nook_smoothed told;
-    float distance; /* the most that a vertex is from the original */
+    float distance;  /* the most that a vertex is from the original, */
+    float deviation; /* and from where it was: any point of either surface has one of the other so near */
 } smoothed;
+
+/* Never less. */
+static float distance_between(const nook_point *p, const nook_point *q) {
+    double x = (double)p->x - (double)q->x, y = (double)p->y - (double)q->y, z = (double)p->z - (double)q->z;
+    return nextafterf((float)sqrt(x * x + y * y + z * z), FLT_MAX);
+}
 
 /* Vertices that did not move, or are of no triangle, are where they were. */
 static bool measure_distance(smoothed *s, const nook_mesh *mesh, nook_point *was, failure *f) {
@@ -50,7 +61,9 @@ static bool measure_distance(smoothed *s, const nook_mesh *mesh, nook_point *was
         return false;
     }
     for (v = 0; v < mesh->nv && status == NOOK_OK; v++) {
+        float went = distance_between(&was[v], &mesh->G[v]);
         if (memcmp(&was[v], &mesh->G[v], sizeof *was) == 0) continue;
+        if (went > s->deviation) s->deviation = went;
         status = nook_closest_point(&closest, &t.bvh, mesh->G[v]);
         if (status == NOOK_OK && closest.distance > s->distance) s->distance = closest.distance;
     }
@@ -88,14 +101,16 @@ static void report_numbers(FILE *to, const smoothed *s) {
     put_float(to, "volume_in", s->closed, s->told.volume);
     put_float(to, "volume_gained", s->closed || !s->how.slide, s->told.gained);
     put_float(to, "volume_drift", s->closed, s->told.gained / volume);
+    put_float(to, "deviation", true, s->deviation);
     put_float(to, "distance", true, s->distance);
     (void)fputs("}\n", to);
 }
 
 static void report_line(FILE *to, const smoothed *s) {
     print_name(to, s->out);
-    (void)fprintf(to, ": %" PRIu32 " vertices, %" PRIu32 " triangles, at most %s from where they were",
-                  s->vertices, s->triangles, decimal_of(s->distance).text);
+    (void)fprintf(to, ": %" PRIu32 " vertices, %" PRIu32 " triangles, no farther than %s", s->vertices,
+                  s->triangles, decimal_of(s->deviation).text);
+    (void)fprintf(to, ", vertices %s", decimal_of(s->distance).text);
     if (s->closed) {
         (void)fprintf(to, "; volume %s", decimal_of(s->told.volume).text);
         (void)fprintf(to, ", gained %s", decimal_of(s->told.gained).text);

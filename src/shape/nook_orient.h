@@ -38,7 +38,7 @@ typedef struct nook_orient_state {
  *   NOOK_INDEX_OUT_OF_RANGE, NOOK_REPEATED_VERTEX  as of nook_link; nothing was turned
  *   NOOK_NOT_ORIENTABLE  in the end: all is oriented but parts that cannot be, such as a Moebius strip, which are as they
  *                        came. where: of the first of them, the corner that faces an edge at which it shows
- *   NOOK_BAD_OPPOSITE    somebody else wrote O or the marks meanwhile
+ *   NOOK_BAD_OPPOSITE    somebody else has written O or the marks since the edges were linked
  * where is state->link.where. Steps: those of linking a sound mesh, and 7.5 nt, or 4.5 nt where nothing is turned. One unit is
  * at most 910 instructions on M4F, 1,400 on M0. */
 nook_status nook_orient_begin(nook_orient_state *state, nook_mesh *mesh, const nook_marks *marks,
@@ -59,7 +59,8 @@ nook_status nook_orient(nook_mesh *mesh, const nook_marks *marks, const nook_edi
  * finite number of points is still in one piece, which meets no other shell, and so it is inside or outside as a whole. So
  * shells may stand on each other with corners, whether or not these share a vertex. Where they share more (an edge across an
  * edge, a part of an edge or of a face) it would need more than signs to say who is inside whom. How a shell meets itself is not
- * asked. */
+ * asked. Nor do triangles without area meet anything: two parts of a shell that hang together by such alone may lie on both
+ * sides of another unseen. nook_check() finds them. */
 
 typedef struct nook_orient_shells_state {
     uint32_t inside_out; /* out: shells that ran the wrong way */

@@ -37,7 +37,7 @@ typedef struct nook_simplify_goal {
     uint32_t triangles;  /* stop at so many or less; 0: as few as all else allows */
     float error;         /* with deviation: none may become larger */
     float *deviation;    /* [max_nv] or null; in: usually 0, out: one for each vertex */
-    bool outside;        /* for closed, oriented meshes; what is at a border stays as it is */
+    bool outside;        /* for solids, all shells facing out of them; what is at a border stays as it is */
     nook_levels *levels; /* or null: every collapse is recorded, to be taken back and made again */
 } nook_simplify_goal;
 
