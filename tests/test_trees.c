@@ -343,8 +343,9 @@ static void tables_of_any_bits_are_searched_to_an_end(void) {
         nook_status status;
         if (i % 3 == 0) (void)throw_surface();
         for (k = throw_dice(&d, 3); k < 3; k++) {
-            uint32_t at = throw_dice(&d, 3 * view.nt),
-                     to = throw_dice(&d, 4) == 0 ? 0xFFF0 : throw_dice(&d, 200);
+            uint32_t at = throw_dice(&d, 3 * view.nt), to = throw_dice(&d, 4) == 0   ? 0xFFF0
+                                                            : throw_dice(&d, 4) == 0 ? view.nv
+                                                                                     : throw_dice(&d, 200);
             (throw_dice(&d, 2) == 0 ? b.mesh.V : b.mesh.O)[at] = nook_store(to);
         }
         status = grow(1 + throw_dice(&d, 99));
@@ -352,6 +353,7 @@ static void tables_of_any_bits_are_searched_to_an_end(void) {
         bad += status == NOOK_BAD_OPPOSITE;
         for (k = 0; k < throw_dice(&d, 3); k++) up[throw_dice(&d, view.nv)] = nook_store(throw_dice(&d, 300));
         (void)follow_all();
+        CHECK_EQUAL(up[view.nv], (nook_index)0x55555555u);
     }
     CHECK(bad > 0);
 }
