@@ -840,6 +840,27 @@ static void tables_that_do_not_hold_are_refused(void) {
     }
 }
 
+/* After all pairs were looked at, while it is asked who is inside whom. */
+static void tables_that_change_are_refused(void) {
+    enum { CORNERS = 2 };
+    nook_orient_shells_state state;
+    uint32_t units, c;
+    begin_solid();
+    add_box(cube_of(1, 2), 1);
+    add_box(cube_of(0, 3), 0);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    build_tree();
+    CHECK_EQUAL(nook_orient_shells_begin(&state, NULL, &bvh, &b.shells, NULL, NULL), NOOK_OK);
+    do {
+        units = 1;
+        CHECK_EQUAL(nook_orient_shells_step(&state, &units), NOOK_MORE);
+    } while (state.phase < CORNERS);
+    for (c = 36; c < 72; c++) b.mesh.V[c] = nook_store(b.mesh.nv);
+    units = 1000;
+    CHECK_EQUAL(nook_orient_shells_step(&state, &units), NOOK_INDEX_OUT_OF_RANGE);
+    CHECK(state.where.kind == NOOK_AT_TRIANGLE && state.where.index < 12);
+}
+
 static const test tests[] = {
     TEST(a_surface_runs_as_most_of_its_triangles_did),
     TEST(of_two_halves_the_first_triangle_decides),
@@ -867,6 +888,7 @@ static const test tests[] = {
     TEST(every_slicing_turns_the_same_shells),
     TEST(a_call_that_cannot_be_carried_out_says_why),
     TEST(tables_that_do_not_hold_are_refused),
+    TEST(tables_that_change_are_refused),
 };
 
 void test_orient(void) { run_tests(tests, sizeof tests / sizeof *tests); }

@@ -312,8 +312,10 @@ static uint32_t follow_all(void) {
         if (!nook_is_generator(&trees, c) && c % 5 != 0) continue;
         CHECK_EQUAL(nook_loop_begin(&loop, &trees, c), NOOK_OK);
         units = 2 * view.nv + 1; /* one to find that it does not lead back */
-        do status = nook_loop_step(&loop, &units);
-        while (status == NOOK_TRIANGLE);
+        do {
+            status = nook_loop_step(&loop, &units);
+            CHECK(status != NOOK_TRIANGLE || (loop.corner < 3 * view.nt && loop.vertex < view.nv));
+        } while (status == NOOK_TRIANGLE);
         CHECK(status == NOOK_OK || status == NOOK_NONMANIFOLD_VERTEX);
         units = 1;
         if (status != NOOK_OK) CHECK_EQUAL(nook_loop_step(&loop, &units), NOOK_NONMANIFOLD_VERTEX);
