@@ -316,7 +316,7 @@ static uint32_t follow_all(void) {
             status = nook_loop_step(&loop, &units);
             CHECK(status != NOOK_TRIANGLE || (loop.corner < 3 * view.nt && loop.vertex < view.nv));
         } while (status == NOOK_TRIANGLE);
-        CHECK(status == NOOK_OK || status == NOOK_NONMANIFOLD_VERTEX);
+        CHECK(status == NOOK_OK ? loop.vertex == loop.start : status == NOOK_NONMANIFOLD_VERTEX);
         units = 1;
         if (status != NOOK_OK) CHECK_EQUAL(nook_loop_step(&loop, &units), NOOK_NONMANIFOLD_VERTEX);
         closed += status == NOOK_OK && nook_is_generator(&trees, c);
