@@ -30,6 +30,9 @@ static void take_given(void) {
     memcpy(b.mesh.G, given, given_count * sizeof *given);
     for (v = 0; v < given_count; v++) origin[v] = (uint16_t)v;
     renames = 0;
+    b.mesh.nt = 5; /* nobody may ask */
+    memset(b.Mt, 0xFF, sizeof b.Mt);
+    memset(b.Mv, 0xFF, sizeof b.Mv);
 }
 
 static uint64_t most_units(uint64_t n) { return n * n * n / 6 + 8 * n * n + 30 * n + 30; }

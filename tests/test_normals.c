@@ -282,6 +282,8 @@ static void sizes_from_tiny_to_huge_have_the_same_normals(void) {
         for (v = 0; v < 6; v++) {
             nook_point g = nook_scaled(view.G[v], 1 / size[i]), n = vertex_normal(v, NOOK_BY_AREA);
             CHECK(is_near(n, g.x, g.y, g.z, 1e-6f));
+            n = vertex_normal(v, NOOK_BY_ANGLE);
+            CHECK(is_near(n, g.x, g.y, g.z, 1e-6f));
         }
     }
 }
@@ -345,6 +347,32 @@ static void any_bits_do_no_harm_and_make_no_nan(void) {
     CHECK(bad > rounds / 5 && bad < rounds);
 }
 
+static void a_triangle_that_names_no_vertex_counts_for_nothing(void) {
+    uint32_t i, k;
+    octahedron();
+    linked();
+    for (i = 0; i < 6; i++) {
+        uint32_t c = view.C[0], x = nook_turn(&view, c, true) / 3 * 3 + i % 3;
+        nook_index keep = view.V[x];
+        nook_weight weight = i < 3 ? NOOK_BY_AREA : NOOK_BY_ANGLE;
+        nook_point n, far, at_crease;
+        b.mesh.G[view.nv] = nook_scaled(view.G[keep], 1.5f); /* behind the end */
+        b.mesh.V[x] = nook_store(view.nv);
+        CHECK_EQUAL(nook_vertex_normal(&view, x, weight, &n), NOOK_ZERO_AREA_TRIANGLE);
+        CHECK_EQUAL(nook_vertex_normal(&view, c, weight, &n), NOOK_OK);
+        CHECK_EQUAL(crease(0.1f, weight, 3, 100), NOOK_OK);
+        at_crease = written(c);
+        for (k = x / 3 * 3; k < x / 3 * 3 + 3; k++) CHECK(is_near(written(k), 0, 0, 0, 0));
+        b.mesh.V[x] = NOOK_STORED_NONE;
+        CHECK_EQUAL(nook_vertex_normal(&view, c, weight, &far), NOOK_OK);
+        CHECK(is_near(n, far.x, far.y, far.z, 0));
+        CHECK_EQUAL(crease(0.1f, weight, 3, 100), NOOK_OK);
+        far = written(c);
+        CHECK(is_near(at_crease, far.x, far.y, far.z, 0));
+        b.mesh.V[x] = keep;
+    }
+}
+
 static void a_call_that_cannot_be_carried_out_says_why(void) {
     nook_point n;
     uint32_t units = 9;
@@ -374,6 +402,7 @@ static const test tests[] = {
     TEST(every_machine_and_every_slicing_gives_the_same_bits),
     TEST(only_three_floats_of_a_corner_are_written),
     TEST(any_bits_do_no_harm_and_make_no_nan),
+    TEST(a_triangle_that_names_no_vertex_counts_for_nothing),
     TEST(a_call_that_cannot_be_carried_out_says_why),
 };
 

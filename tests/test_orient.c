@@ -649,6 +649,16 @@ static void is_refused(nook_status status) {
     CHECK_EQUAL(heard.count[NOOK_INSIDE_OUT], 0);
 }
 
+/* The triangle that was named meets one of another shell. */
+static void is_refused_where_they_meet(void) {
+    uint32_t t, u, met = 0;
+    is_refused(NOOK_SELF_INTERSECTION);
+    for (t = asked.where.index, u = 0; u < b.mesh.nt; u++) {
+        met += b.component[t] != b.component[u] && nook_triangles_intersect(&bvh.view, t, u);
+    }
+    CHECK(met != 0);
+}
+
 static void shells_that_cross_or_share_more_than_corners_are_refused(void) {
     static const box other[] = {
         {{6, 6, 6}, {20, 20, 20}}, /* a corner in the other */
@@ -664,18 +674,18 @@ static void shells_that_cross_or_share_more_than_corners_are_refused(void) {
         begin_solid();
         add_box(cube_of(0, 12), 0);
         add_box(other[i], 0);
-        is_refused(NOOK_SELF_INTERSECTION);
+        is_refused_where_they_meet();
     }
     begin_solid(); /* they share vertex 3, and from there a part of an edge */
     add_tetrahedron(nook_make(0, 0, 2), nook_make(1, 2, 2), nook_make(0, 2, 2), nook_make(0, 2, 0), 0);
     add_tetrahedron(nook_make(0, 1, 1), nook_make(1, 0, 2), nook_make(0, 0, 1), nook_make(0, 2, 0), 0);
     for (i = 12; i < 24; i++) b.mesh.V[i] = nook_store(b.mesh.V[i] == 7 ? 3 : b.mesh.V[i]);
     b.mesh.nv--;
-    is_refused(NOOK_SELF_INTERSECTION);
+    is_refused_where_they_meet();
     begin_solid(); /* an edge across an edge */
     add_tetrahedron(nook_make(0, 0, 0), nook_make(4, 0, 0), nook_make(2, 1, -3), nook_make(2, -1, -3), 0);
     add_tetrahedron(nook_make(2, 2, 0), nook_make(2, -2, 0), nook_make(3, 0, 3), nook_make(1, 0, 3), 0);
-    is_refused(NOOK_SELF_INTERSECTION);
+    is_refused_where_they_meet();
 }
 
 static void a_shell_with_all_corners_on_others_is_refused(void) {
@@ -830,6 +840,27 @@ static void tables_that_do_not_hold_are_refused(void) {
     }
 }
 
+/* After all pairs were looked at, while it is asked who is inside whom. */
+static void tables_that_change_are_refused(void) {
+    enum { CORNERS = 2 };
+    nook_orient_shells_state state;
+    uint32_t units, c;
+    begin_solid();
+    add_box(cube_of(1, 2), 1);
+    add_box(cube_of(0, 3), 0);
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    build_tree();
+    CHECK_EQUAL(nook_orient_shells_begin(&state, NULL, &bvh, &b.shells, NULL, NULL), NOOK_OK);
+    do {
+        units = 1;
+        CHECK_EQUAL(nook_orient_shells_step(&state, &units), NOOK_MORE);
+    } while (state.phase < CORNERS);
+    for (c = 36; c < 72; c++) b.mesh.V[c] = nook_store(b.mesh.nv);
+    units = 1000;
+    CHECK_EQUAL(nook_orient_shells_step(&state, &units), NOOK_INDEX_OUT_OF_RANGE);
+    CHECK(state.where.kind == NOOK_AT_TRIANGLE && state.where.index < 12);
+}
+
 static const test tests[] = {
     TEST(a_surface_runs_as_most_of_its_triangles_did),
     TEST(of_two_halves_the_first_triangle_decides),
@@ -857,6 +888,7 @@ static const test tests[] = {
     TEST(every_slicing_turns_the_same_shells),
     TEST(a_call_that_cannot_be_carried_out_says_why),
     TEST(tables_that_do_not_hold_are_refused),
+    TEST(tables_that_change_are_refused),
 };
 
 void test_orient(void) { run_tests(tests, sizeof tests / sizeof *tests); }

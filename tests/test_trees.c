@@ -312,9 +312,11 @@ static uint32_t follow_all(void) {
         if (!nook_is_generator(&trees, c) && c % 5 != 0) continue;
         CHECK_EQUAL(nook_loop_begin(&loop, &trees, c), NOOK_OK);
         units = 2 * view.nv + 1; /* one to find that it does not lead back */
-        do status = nook_loop_step(&loop, &units);
-        while (status == NOOK_TRIANGLE);
-        CHECK(status == NOOK_OK || status == NOOK_NONMANIFOLD_VERTEX);
+        do {
+            status = nook_loop_step(&loop, &units);
+            CHECK(status != NOOK_TRIANGLE || (loop.corner < 3 * view.nt && loop.vertex < view.nv));
+        } while (status == NOOK_TRIANGLE);
+        CHECK(status == NOOK_OK ? loop.vertex == loop.start : status == NOOK_NONMANIFOLD_VERTEX);
         units = 1;
         if (status != NOOK_OK) CHECK_EQUAL(nook_loop_step(&loop, &units), NOOK_NONMANIFOLD_VERTEX);
         closed += status == NOOK_OK && nook_is_generator(&trees, c);
@@ -343,8 +345,9 @@ static void tables_of_any_bits_are_searched_to_an_end(void) {
         nook_status status;
         if (i % 3 == 0) (void)throw_surface();
         for (k = throw_dice(&d, 3); k < 3; k++) {
-            uint32_t at = throw_dice(&d, 3 * view.nt),
-                     to = throw_dice(&d, 4) == 0 ? 0xFFF0 : throw_dice(&d, 200);
+            uint32_t at = throw_dice(&d, 3 * view.nt), to = throw_dice(&d, 4) == 0   ? 0xFFF0
+                                                            : throw_dice(&d, 4) == 0 ? view.nv
+                                                                                     : throw_dice(&d, 200);
             (throw_dice(&d, 2) == 0 ? b.mesh.V : b.mesh.O)[at] = nook_store(to);
         }
         status = grow(1 + throw_dice(&d, 99));
@@ -352,6 +355,7 @@ static void tables_of_any_bits_are_searched_to_an_end(void) {
         bad += status == NOOK_BAD_OPPOSITE;
         for (k = 0; k < throw_dice(&d, 3); k++) up[throw_dice(&d, view.nv)] = nook_store(throw_dice(&d, 300));
         (void)follow_all();
+        CHECK_EQUAL(up[view.nv], (nook_index)0x55555555u);
     }
     CHECK(bad > 0);
 }

@@ -131,12 +131,11 @@ nook_status nook_loop_begin(nook_loop *l, const nook_trees *trees, uint32_t c) {
 
 /* The other end of the edge up from v; NOOK_NONE at a root, of which c faces no edge. */
 static uint32_t above(const nook_view *m, uint32_t v, uint32_t c) {
-    uint32_t a, b, end;
+    uint32_t a, b;
     if (c >= 3u * m->nt) return NOOK_NONE;
     a = m->V[nook_next(c)];
     b = m->V[nook_prev(c)];
-    end = v == a ? b : v == b ? a : NOOK_NONE;
-    return end < m->nv ? end : NOOK_NONE;
+    return v == a ? b : v == b ? a : NOOK_NONE;
 }
 
 /* Hang vertex on the edge of corner, which it held up before; beyond the root, the first edge. */
@@ -167,8 +166,7 @@ nook_status nook_loop_step(nook_loop *l, uint32_t *units) {
         } else {
             turn_over(l);
         }
-        if (climbs && l->vertex == NOOK_NONE) return NOOK_NONMANIFOLD_VERTEX;
-        if (l->first == NOOK_NONE) return NOOK_TRIANGLE;
+        if (l->first == NOOK_NONE) return l->vertex < s->view->nv ? NOOK_TRIANGLE : NOOK_NONMANIFOLD_VERTEX;
     }
     return NOOK_OK;
 }
