@@ -337,6 +337,20 @@ static void on_flat_faces_nothing_deviates(void) {
     CHECK(b.mesh.nt < 100);
 }
 
+/* A plain with grains of sand: all of its flat parts go before the first of them. */
+static void what_deviates_least_goes_first(void) {
+    uint32_t v;
+    flat_square(8);
+    for (v = 20; v < 60; v += 13) b.mesh.G[v].z += 0.004f;
+    keep();
+    memset(deviation, 0, sizeof deviation);
+    goal.deviation = deviation;
+    goal.error = 10;
+    goal.triangles = 90;
+    CHECK_EQUAL(simplify(), NOOK_OK);
+    for (v = 0; v < b.mesh.nv; v++) CHECK(deviation[v] < 0.0025f);
+}
+
 /* Their numbers were dealt out, and are kept by all that no edge was collapsed to. */
 static void deviation_stays_with_its_vertex(void) {
     uint32_t v, w, stayed = 0;
@@ -558,6 +572,7 @@ static const test tests[] = {
     TEST(no_vertex_goes_beyond_the_largest_coordinate),
     TEST(no_place_is_farther_away_than_deviation_says),
     TEST(on_flat_faces_nothing_deviates),
+    TEST(what_deviates_least_goes_first),
     TEST(deviation_stays_with_its_vertex),
     TEST(what_was_inside_is_inside),
     TEST(the_hull_of_what_is_outside_a_convex_mesh_has_no_more_triangles),

@@ -11,7 +11,8 @@
 enum { LOOK, DRAW, SWEEP, DONE };
 enum {
     FRESH = 2, /* vertices looked at for an edge that goes */
-    HELD = 24  /* corners around it, where it must be held outside */
+    LONG = 64, /* steps since the last collapse */
+    HELD = 24  /* corners around an edge where the vertex must be held outside */
 };
 #define ROUND                                                                                                \
     0x1p-15f /* how much of a sphere every quadric has, so that it has a least place also where all is flat */
@@ -297,7 +298,7 @@ NOOK_APART static nook_status judge(const nook_simplify_state *s, uint32_t c, fl
     if (nook_point_status(to->at) != NOOK_OK) return NOOK_NO_PLACE;
     if (s->goal->deviation == NULL) return NOOK_OK;
     to->deviation = nook_deviation_at(s->mesh, &r, s->goal->deviation, s->scale, to->at) * s->unit;
-    return to->deviation <= s->goal->error ? NOOK_OK : NOOK_NO_PLACE;
+    return to->deviation <= s->allowed ? NOOK_OK : NOOK_NO_PLACE;
 }
 
 /* All collapses are made here. */
@@ -363,7 +364,7 @@ static uint32_t easiest(const nook_simplify_state *s, const nook_edge_ring *r, f
     nook_quadric a = r->a[0];
     float length = SHORT * nook_sum(a.square);
     nook_triple p = nook_triple_at(&r->p[0]);
-    uint32_t i, best = 0, n = s->idle > 64u ? 1 : r->n;
+    uint32_t i, best = 0, n = s->idle > (uint32_t)LONG ? 1 : r->n;
     a.square = nook_plus(a.square, nook_triple_of(length, length, length));
     *least = 0x1p127f;
     for (i = 0; i < n; i++) {
@@ -416,7 +417,11 @@ static void sweep(nook_simplify_state *s) {
     if (++s->idle > 3u * s->mesh->nt) s->phase = DONE;
 }
 
-/* A vertex, once; then a draw, or what was drawn. */
+static void allow(nook_simplify_state *s, float deviation) {
+    s->allowed = deviation < s->goal->error ? deviation : s->goal->error;
+}
+
+/* A vertex, once; then a draw, or what was drawn; where none has gone for long, with a larger deviation; at last a sweep. */
 static nook_status advance(nook_simplify_state *s) {
     const nook_mesh *m = s->mesh;
     if (s->phase == LOOK) {
@@ -436,6 +441,8 @@ static nook_status advance(nook_simplify_state *s) {
         if (exponent < 40u) exponent = 40;
         s->scale = nook_power_of_two(264u - exponent);
         s->unit = nook_power_of_two(exponent - 10u);
+        s->allowed = s->goal->error;
+        if (s->goal->deviation != NULL) allow(s, s->goal->error * 0x1p-12f + 0x1p-126f);
         s->phase = DRAW;
     } else if (m->nt <= s->goal->triangles) {
         s->refused = NOOK_OK;
@@ -443,7 +450,10 @@ static nook_status advance(nook_simplify_state *s) {
         s->phase = DONE;
     } else if (s->phase == SWEEP) {
         sweep(s);
-    } else if (++s->idle > 8u * m->nt + 64u) {
+    } else if (++s->idle > (uint32_t)LONG && s->allowed < s->goal->error) {
+        allow(s, 2 * s->allowed);
+        s->idle = 0;
+    } else if (s->idle > 8u * m->nt + 64u) {
         s->phase = SWEEP;
         s->idle = s->at = 0;
     } else if (s->fresh < (uint32_t)FRESH || s->pooled == 0) {
