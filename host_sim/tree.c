@@ -11,7 +11,7 @@ bool tree_build(tree *t, const nook_mesh *mesh, failure *f) {
     t->boxes = take(NOOK_BVH_GROUPS(mesh->nt), sizeof *t->boxes);
     t->order = take(mesh->nt, sizeof *t->order);
     status = nook_bvh_build(&t->bvh, &view, t->boxes, t->order, NULL);
-    return status == NOOK_OK ? true : fail(f, status, NULL);
+    return status == NOOK_OK ? true : fail(f, status, status == NOOK_EMPTY_MESH ? "no triangle" : NULL);
 }
 
 void tree_free(tree *t) {
