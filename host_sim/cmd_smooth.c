@@ -16,10 +16,13 @@ const char smooth_help[] =
     "nook smooth [OPTION...] IN OUT      a mesh without its noise\n"
     "\n"
     "Each vertex goes a part of the way to the middle of its neighbours. What is joined to what stays as\n"
-    "it is, no triangle turns over, and a border stays unless it may slide. Says how the volume of a closed\n"
-    "mesh has changed, and how far a vertex is from the surface it was on.\n"
+    "it is, no triangle turns over, and a border stays unless it may slide. Thin parts may come to cut each\n"
+    "other, which nook check finds. Says how the volume of a closed mesh has changed, and how far a vertex "
+    "is\n"
+    "from the surface it was on.\n"
     "  --iterations N      rounds (default 10)\n"
-    "  --method taubin     a part of the way and a little more back: the volume is kept (default)\n"
+    "  --method taubin     a part of the way and a little more back: what is many edges long stays, and so\n"
+    "                      nearly does the volume (default)\n"
     "  --method laplace    half of the way, and not back: shrinks\n"
     "  --slide             vertices at a border go to the middle of their two neighbours there\n"
     "  --format F          stl obj off ply, whatever OUT is called; OUT may be -\n"
@@ -65,6 +68,7 @@ static bool compute(smoothed *s, job *j) {
     failure f;
     bool good;
     nook_status status = nook_link(mesh, NULL, NULL, NULL, &report, NULL);
+    if (status == NOOK_OK && report.border_edges != 0) job_hint(j);
     memcpy(was, mesh->G, mesh->nv * sizeof *was);
     s->how.reference = was;
     if (status == NOOK_OK) status = nook_smooth(mesh, &s->how, next, &s->told);

@@ -26,6 +26,11 @@ bool job_load(job *j) {
     return true;
 }
 
+void job_hint(const job *j) {
+    char hint[160];
+    if (model_hint(&j->m, hint, sizeof hint)) print_message(stderr, j->in, hint);
+}
+
 bool job_fail(const job *j, const failure *f) {
     print_failure(stderr, j->in, f);
     if (j->json) report_json_unreadable(j->to, j->in, j->m.format, f);

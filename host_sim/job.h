@@ -23,6 +23,8 @@ typedef struct job {
 /* The command line: IN, OUT, and the options of all these commands. False after saying what is wrong. */
 bool job_begin(job *j, const options *o);
 bool job_load(job *j);
+/* Of a mesh with a border: that it may be none. */
+void job_hint(const job *j);
 /* Says that f stands in the way; returns false. */
 bool job_fail(const job *j, const failure *f);
 /* Writes OUT, or says why there is none, and begins the report: a JSON object or a line for people. True if there is

@@ -66,16 +66,21 @@ static bool weld(nook_mesh *mesh, failure *f) {
     return false;
 }
 
-uint32_t model_joinable(const model *m) {
+bool model_hint(const model *m, char *text, size_t room) {
     nook_mesh copy = m->mesh;
-    uint32_t joined;
     failure ignored;
+    if (m->welded) return false;
     copy.G = take(m->mesh.nv, sizeof *copy.G);
     copy.nt = 0;
     memcpy(copy.G, m->mesh.G, m->mesh.nv * sizeof *copy.G);
-    joined = weld(&copy, &ignored) ? m->mesh.nv - copy.nv : 0;
+    (void)weld(&copy, &ignored);
     free(copy.G);
-    return joined;
+    (void)snprintf(
+        text, room,
+        "hint: %" PRIu32
+        " vertices repeat the coordinates of another; --weld exact joins them and may close the surface",
+        m->mesh.nv - copy.nv);
+    return copy.nv < m->mesh.nv;
 }
 
 static bool is_degenerate(const nook_mesh *mesh, uint32_t t) {

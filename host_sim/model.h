@@ -29,8 +29,9 @@ typedef struct model {
 bool model_load(model *m, const char *path, const load_options *options, uint32_t max_list, failure *f);
 void model_free(model *m);
 
-/* How many vertices an exact weld would join; tried on a copy of the points, n log2 n. */
-uint32_t model_joinable(const model *m);
+/* What to say about a mesh with a border that may be none: that an exact weld would join vertices. False if it was
+ * welded, or none are equal; tried on a copy of the points, n log2 n. */
+bool model_hint(const model *m, char *text, size_t room);
 
 /* The mesh becomes the convex hull of the points of its triangles, or of all its points if it has no triangle; flat: there
  * is none, and it has no triangle now. False with f filled. Memory: tables for the 2 nv - 4 triangles that a hull of

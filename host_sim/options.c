@@ -29,6 +29,7 @@ static const struct {
     {"--error", true, FOR_SIMPLIFY},
     {"--outside", false, FOR_SIMPLIFY},
     {"--convex", false, FOR_SIMPLIFY},
+    {"--unguarded", false, FOR_SIMPLIFY},
     {"--iterations", true, FOR_SMOOTH},
     {"--method", true, FOR_SMOOTH},
     {"--slide", false, FOR_SMOOTH},

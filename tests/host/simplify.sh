@@ -38,6 +38,18 @@ done
 expect 'a mesh with borders' 0 ': [0-9]* triangles of' "$nook" simplify --error 0.001 "$dir/sheet.obj" "$dir/out.obj"
 [ "$(member "$dir/out.obj" border_loops)" = "$(member "$dir/sheet.obj" border_loops)" ] && ok || no 'border loops are as many as before'
 
+# ---- what does not cut itself ----------------------------------------------------------------------------
+for few in 'pipe 320 20' 'torus 320 20' 'gear 1200 150'; do
+    set -- $few
+    "$nook" make $1 --triangles $2 -o "$dir/in.off" 2>/dev/null
+    expect "a $1 of few triangles" 0 ": $3 triangles of $2," "$nook" simplify --triangles $3 "$dir/in.off" "$dir/out.off"
+    expect "a $1 of few triangles does not cut itself" 0 '"verdict":"sound"' "$nook" check --json "$dir/out.off"
+    expect "a $1 unguarded" 0 ": $3 triangles of $2," "$nook" simplify --unguarded --triangles $3 "$dir/in.off" "$dir/out.off"
+    expect "a $1 unguarded cuts itself" 1 'self-intersections' "$nook" check "$dir/out.off"
+done
+"$nook" make icosphere --defect crossing -o "$dir/crossing.off" 2>/dev/null
+expect 'what cuts itself anyway' 0 ': 100 triangles of 640,' "$nook" simplify --triangles 100 "$dir/crossing.off" "$dir/out.off"
+
 # ---- a cube ----------------------------------------------------------------------------------------------
 cube='v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n'
 printf "${cube}f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n" >"$dir/cube.obj"
@@ -61,6 +73,10 @@ printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 3 2 4\n' >"$dir/flat.obj"
 expect 'a flat one has no hull' 1 'no hull has a volume' "$nook" simplify --convex --triangles 8 "$dir/flat.obj" "$dir/none.obj"
 printf 'OFF\n0 0 0\n' >"$dir/empty.off"
 expect 'an empty one' 1 'not a manifold' "$nook" simplify --triangles 8 "$dir/empty.off" "$dir/none.obj"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 5 4 6\n' >"$dir/loose.obj"
+expect 'equal vertices that are not joined' 0 "^nook: $dir/loose.obj: hint: 2 vertices repeat .* --weld exact" "$nook" simplify --triangles 2 "$dir/loose.obj" "$dir/out.obj"
+expect 'joined there is no hint' 0 "^$dir/out.obj: 2 triangles of 2" "$nook" simplify --weld exact --triangles 2 "$dir/loose.obj" "$dir/out.obj"
+expect 'a mesh that is not there, in numbers' 2 '^{"file":.*"verdict":"unreadable",.*"error":{"code":"cannot_read",' "$nook" simplify --json --triangles 2 "$dir/absent.obj" "$dir/none.obj"
 [ -e "$dir/none.obj" ] && no 'a file was written' || ok
 
 # ---- wrong use ---------------------------------------------------------------------------------------------
