@@ -1,6 +1,7 @@
 /* job.c -- IN, OUT, and a report that goes where the mesh does not. */
 #include "job.h"
 
+#include "files.h"
 #include "json.h"
 #include "report.h"
 
@@ -16,6 +17,7 @@ bool job_begin(job *j, const options *o) {
     j->out = o->operand[2];
     j->json = o->given[OPTION_JSON];
     j->to = strcmp(j->out, "-") == 0 ? stderr : stdout;
+    if (is_same_file(j->in, j->out)) return usage_error("OUT must be another file than IN: ", j->out);
     return options_for_load(o, &j->load) && option_format(o, j->out, &j->format);
 }
 

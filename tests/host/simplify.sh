@@ -83,6 +83,7 @@ expect 'a mesh that is not there, in numbers' 2 '^{"file":.*"verdict":"unreadabl
 expect 'neither count nor distance' 2 'needs --triangles N or --error E' "$nook" simplify "$dir/cube.obj" "$dir/out.obj"
 expect 'both' 2 'needs --triangles N or --error E' "$nook" simplify --triangles 4 --error 1 "$dir/cube.obj" "$dir/out.obj"
 expect 'outside and convex' 2 'give one of them' "$nook" simplify --triangles 4 --outside --convex "$dir/cube.obj" "$dir/out.obj"
+expect 'OUT that is IN' 2 'another file than IN' "$nook" simplify --triangles 4 "$dir/cube.obj" "$dir/./cube.obj"
 expect 'no triangles' 2 'above 0' "$nook" simplify --triangles 0 "$dir/cube.obj" "$dir/out.obj"
 expect 'a count that is none' 2 'needs a count' "$nook" simplify --triangles few "$dir/cube.obj" "$dir/out.obj"
 expect 'a distance below 0' 2 'needs a length' "$nook" simplify --error -1 "$dir/cube.obj" "$dir/out.obj"
@@ -92,5 +93,7 @@ expect 'a mesh that is not there' 2 "^nook: $dir/absent.obj: " "$nook" simplify 
 expect 'a folder that is not there' 2 "^nook: $dir/absent/out.obj: " "$nook" simplify --triangles 4 "$dir/cube.obj" "$dir/absent/out.obj"
 expect 'an option of others' 2 'has no option --budget' "$nook" simplify --budget 3 --triangles 4 "$dir/cube.obj" "$dir/out.obj"
 expect 'help' 0 'the same shape with fewer triangles' "$nook" simplify --help
+expect 'help asked for otherwise' 0 'the same shape with fewer triangles' "$nook" help simplify
+expect 'help about all' 0 'nook simplify IN OUT' "$nook" help
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ]
