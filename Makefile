@@ -29,7 +29,7 @@ BOARDS := $(notdir $(patsubst %/board.mk,%,$(wildcard boards/*/board.mk)))
 all: build/nook build/nook16 build/cc32/libnook.a build/cc16/libnook.a ## build program and library, 32- and 16-bit indices
 
 help: ## list these targets
-	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1#\2/p' Makefile | awk -F'#' '{printf "%-24s%s\n", $$1, $$2}'
+	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1#\2/p' Makefile tests/bench/*.mk | awk -F'#' '{printf "%-24s%s\n", $$1, $$2}'
 
 # ---- variants: name, compiler, index bits, flags -------------------------------------------------
 define variant
