@@ -216,7 +216,6 @@ extern "C" {
  * sibling                     nook_pair
  * signed distance             nook_signed_distance
  * simple mesh                 nook_check_result.simple
- * smooth a shell              nook_smooth
  * simplify                    nook_simplify; for collision: nook_simplify_goal.outside
  * smooth a shell              nook_smooth
  * soup                        nook_mesh_append, nook_weld

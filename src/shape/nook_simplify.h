@@ -7,6 +7,11 @@
  * on every machine. The numbers of handles, borders and shells stay, and the way triangles face: each collapse is one of
  * nook_collapse() with no_turn. Borders keep their shape as the surface does, by the areas between.
  *
+ *     static nook_simplify_state state;
+ *     nook_simplify_goal goal = {.triangles = 500};
+ *     status = nook_simplify(&state, &mesh, &goal, NULL);           linked, and by nook_check() manifold and oriented
+ *
+ * What is beside the mesh is of the mesh as it was: build its tree (nook_bvh) anew, and to check it, link it again.
  * Levels of detail are the same mesh taken to several counts, or with a record (nook_levels.h) any count between, forth and back.
  * What may be asked besides:
  *
@@ -33,11 +38,13 @@
 #include "shape/nook_levels.h"
 
 typedef struct nook_simplify_goal {
-    uint32_t triangles;  /* stop at so many or less; 0: as few as all else allows */
-    float error;         /* with deviation: none may become larger */
-    float *deviation;    /* [max_nv] or null; in: usually 0, out: one for each vertex */
-    bool outside;        /* for closed, oriented meshes; what is at a border stays as it is */
-    nook_levels *levels; /* or null: every collapse is recorded, to be taken back and made again */
+    uint32_t triangles; /* stop at so many or less; 0: as few as all else allows */
+    float error;        /* with deviation: none may become larger; FLT_MAX: any may be */
+    float *deviation;   /* [max_nv] or null; in: usually 0, out: one for each vertex */
+    bool outside;       /* for closed, oriented meshes; what is at a border stays as it is */
+    /* Or null: every collapse is recorded, to be taken back and made again. From nt to triangles there are (nt - triangles) / 2
+     * on a closed mesh; with a border some more, as one at the border takes one triangle only. */
+    nook_levels *levels;
 } nook_simplify_goal;
 
 enum { NOOK_SIMPLIFY_POOL = 16 };
@@ -60,7 +67,8 @@ typedef struct nook_simplify_state {
 } nook_simplify_state;
 
 /* Simplify a linked manifold mesh, and all that edit takes along with it.
- *   edit  max_valence is respected; no_turn is always asked. Or null
+ *   edit  max_valence is respected; no_turn is always asked; with a guard, what does not cut itself does not come to. A guard
+ *         grows slow as triangles go: go by parts of a fortieth, and before each build its tree, reorder, refit. Or null
  *   goal  must stay until the end
  *   NOOK_OK              done: goal->triangles are reached, or that is 0 and nothing more can go
  *   NOOK_NULL_ARGUMENT   state, mesh, goal
@@ -68,6 +76,7 @@ typedef struct nook_simplify_state {
  * else goal->triangles cannot be reached: all edges were tried, and this is why the last was refused, with state->where:
  *   NOOK_DUPLICATE_EDGE, NOOK_NONMANIFOLD_VERTEX, NOOK_DUPLICATE_TRIANGLE, NOOK_LAST_TRIANGLE  as of nook_collapse()
  *   NOOK_TURNED_TRIANGLE     a triangle would turn over
+ *   NOOK_SELF_INTERSECTION   edit->guard
  *   NOOK_TOO_MANY_TRIANGLES  edit->max_valence, or more than some 40 triangles around the edge, which is never collapsed
  *   NOOK_NO_PLACE            the deviation would be too large, or no point outside was found
  *   NOOK_NO_CAPACITY         the record is full
