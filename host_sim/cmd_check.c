@@ -4,8 +4,6 @@
 #include "files.h"
 #include "report.h"
 
-#include <inttypes.h>
-
 const char check_help[] =
     "nook check [OPTION...] FILE...      is this mesh sound, and if not, where?\n"
     "\n"
@@ -56,16 +54,6 @@ static int unreadable(const char *file, const char *format, const failure *f, co
     return 2;
 }
 
-static void print_notes(const char *file, const model *m) {
-    char note[100];
-    if (m->trailing) print_message(stderr, file, "note: bytes after the declared facets are ignored");
-    if (m->short_faces != 0) {
-        (void)snprintf(note, sizeof note, "note: %" PRIu32 " %s of fewer than 3 corners skipped",
-                       m->short_faces, m->short_faces == 1u ? "face" : "faces");
-        print_message(stderr, file, note);
-    }
-}
-
 static int check_file(const char *file, const check_options *c) {
     model m;
     verdict v;
@@ -75,7 +63,6 @@ static int check_file(const char *file, const check_options *c) {
     if (!model_load(&m, file, &c->load, c->max_list, &f) || !examine(&v, &m, c->max_list, &f)) {
         status = unreadable(file, m.format, &f, c);
     } else {
-        print_notes(file, &m);
         (c->json ? report_json : report_text)(stdout, file, &m, &v, c->required);
         status = is_sound(&v, &m, c->required) ? 0 : 1;
     }

@@ -10,6 +10,7 @@
 
 #include "decimal.h"
 #include "heap.h"
+#include "job.h"
 #include "json.h"
 #include "tree.h"
 
@@ -17,9 +18,11 @@ const char smooth_help[] =
     "nook smooth [OPTION...] IN OUT      a mesh without its noise\n"
     "\n"
     "Each vertex goes a part of the way to the middle of its neighbours. What is joined to what stays as\n"
-    "it is, no triangle turns over, and a border stays unless it may slide. Says how far the surfaces of\n"
-    "IN and OUT are from each other at most, which is as far as a vertex went; how far a vertex is from the\n"
-    "surface it was on; and how the volume of a closed mesh has changed.\n"
+    "it is, no triangle turns over, and a border stays unless it may slide. Thin parts may come to cut each\n"
+    "other, which nook check finds. Says how far the surfaces of IN and OUT are from each other at most, "
+    "which\n"
+    "is as far as a vertex went; how far a vertex is from the surface it was on; and how the volume of a\n"
+    "closed mesh has changed.\n"
     "  --iterations N      rounds (default 10)\n"
     "  --method taubin     a part of the way and a little more back: the volume of what is many edges\n"
     "                      wide is nearly kept (default)\n"
@@ -33,9 +36,7 @@ const char smooth_help[] =
     "Exit status: 0 written, 2 unreadable, not written or wrong usage.\n";
 
 typedef struct smoothed {
-    const char *in, *out;
     nook_smoothing how;
-    uint32_t vertices, triangles;
     bool closed; /* and oriented: then there is a volume */
     nook_smoothed told;
     float distance;  /* the most that a vertex is from the original, */
@@ -71,30 +72,27 @@ static bool measure_distance(smoothed *s, const nook_mesh *mesh, nook_point *was
     return status == NOOK_OK ? true : fail(f, status, NULL);
 }
 
-static bool compute(smoothed *s, nook_mesh *mesh, failure *f) {
+static bool compute(smoothed *s, job *j) {
+    nook_mesh *mesh = &j->m.mesh;
     nook_point *was = take(mesh->nv, sizeof *was);
     float *next = take(mesh->nv, sizeof *next);
     nook_report report;
+    failure f;
     bool good;
     nook_status status = nook_link(mesh, NULL, NULL, NULL, &report, NULL);
+    if (status == NOOK_OK && report.border_edges != 0) job_hint(j);
     memcpy(was, mesh->G, mesh->nv * sizeof *was);
     s->how.reference = was;
     if (status == NOOK_OK) status = nook_smooth(mesh, &s->how, next, &s->told);
-    good = status == NOOK_OK ? measure_distance(s, mesh, was, f) : fail(f, status, NULL);
-    s->vertices = mesh->nv;
-    s->triangles = mesh->nt;
+    good = status == NOOK_OK ? measure_distance(s, mesh, was, &f) : fail(&f, status, NULL);
     s->closed = report.matched_edges == report.edges;
     free(was);
     free(next);
-    return good;
+    return good ? true : job_fail(j, &f);
 }
 
 static void report_numbers(FILE *to, const smoothed *s) {
     float volume = s->told.volume < 0 ? -s->told.volume : s->told.volume;
-    (void)fputs("{\"file\":", to);
-    put_string(to, s->in);
-    put_count(to, "vertices", s->vertices);
-    put_count(to, "triangles", s->triangles);
     put_text(to, "method", s->how.mu != 0 ? "taubin" : "laplace");
     put_count(to, "iterations", s->how.rounds);
     put_count(to, "held_triangles", s->told.held);
@@ -103,20 +101,18 @@ static void report_numbers(FILE *to, const smoothed *s) {
     put_float(to, "volume_drift", s->closed, s->told.gained / volume);
     put_float(to, "deviation", true, s->deviation);
     put_float(to, "distance", true, s->distance);
-    (void)fputs("}\n", to);
 }
 
-static void report_line(FILE *to, const smoothed *s) {
-    print_name(to, s->out);
-    (void)fprintf(to, ": %" PRIu32 " vertices, %" PRIu32 " triangles, no farther than %s", s->vertices,
-                  s->triangles, decimal_of(s->deviation).text);
-    (void)fprintf(to, ", vertices %s", decimal_of(s->distance).text);
+static void report_line(const job *j, const smoothed *s) {
+    (void)fprintf(j->to, ": %" PRIu32 " vertices, %" PRIu32 " triangles, no farther than %s", j->m.mesh.nv,
+                  j->m.mesh.nt, decimal_of(s->deviation).text);
+    (void)fprintf(j->to, ", vertices %s", decimal_of(s->distance).text);
     if (s->closed) {
-        (void)fprintf(to, "; volume %s", decimal_of(s->told.volume).text);
-        (void)fprintf(to, ", gained %s", decimal_of(s->told.gained).text);
+        (void)fprintf(j->to, "; volume %s", decimal_of(s->told.volume).text);
+        (void)fprintf(j->to, ", gained %s", decimal_of(s->told.gained).text);
     }
-    if (s->told.held > 0) (void)fprintf(to, "; %" PRIu32 " times a triangle would have turned", s->told.held);
-    (void)fputs("\n", to);
+    if (s->told.held > 0)
+        (void)fprintf(j->to, "; %" PRIu32 " times a triangle would have turned", s->told.held);
 }
 
 static bool option_method(const options *o, nook_smoothing *how) {
@@ -130,27 +126,16 @@ static bool option_method(const options *o, nook_smoothing *how) {
 }
 
 int cmd_smooth(const options *o) {
-    load_options load;
-    file_format format;
+    job j;
     smoothed s;
-    model m;
-    failure f;
-    int status = 2;
     memset(&s, 0, sizeof s);
     s.how.rounds = 10;
     s.how.slide = o->given[OPTION_SLIDE];
-    if (o->operands != 3) return usage_error("smooth needs IN and OUT (see nook smooth --help)", "") ? 0 : 2;
-    s.in = o->operand[1];
-    s.out = o->operand[2];
-    if (!options_for_load(o, &load) || !option_format(o, s.out, &format)) return 2;
+    if (!job_begin(&j, o)) return 2;
     if (!option_count(o, OPTION_ITERATIONS, &s.how.rounds) || !option_method(o, &s.how)) return 2;
-    if (!model_load(&m, s.in, &load, 0, &f) || !compute(&s, &m.mesh, &f)) {
-        print_failure(stderr, s.in, &f);
-    } else if (write_mesh(&m.mesh, s.out, format)) {
-        /* What is said goes to standard output, unless the mesh does. */
-        (o->given[OPTION_JSON] ? report_numbers : report_line)(strcmp(s.out, "-") == 0 ? stderr : stdout, &s);
-        status = 0;
+    if (job_load(&j) && compute(&s, &j) && job_write(&j)) {
+        if (j.json) report_numbers(j.to, &s);
+        if (!j.json) report_line(&j, &s);
     }
-    model_free(&m);
-    return status;
+    return job_end(&j);
 }

@@ -4,9 +4,9 @@
 #include <stdio.h>
 
 decimal decimal_of(float x) {
-    decimal d;
+    decimal d, plain;
     float back = 0;
-    int digits;
+    int digits, length;
     if ((nook_float_bits(x) & 0x7F800000u) == 0x7F800000u) {
         (void)snprintf(d.text, sizeof d.text, "%s",
                        (nook_float_bits(x) & 0x7FFFFFu) != 0 ? "nan"
@@ -20,5 +20,7 @@ decimal decimal_of(float x) {
             nook_float_bits(back) == nook_float_bits(x))
             break;
     }
-    return d;
+    if (strstr(d.text, "e+") == NULL) return d;
+    length = snprintf(plain.text, sizeof plain.text, "%.0f", (double)x); /* 1000 is no longer than 1e+03 */
+    return length <= (int)strlen(d.text) ? plain : d;
 }

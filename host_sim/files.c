@@ -73,3 +73,9 @@ void files_free(files *list) {
     free(list->path);
     memset(list, 0, sizeof *list);
 }
+
+bool is_same_file(const char *a, const char *b) {
+    struct stat s, t;
+    if (stat(a, &s) != 0 || stat(b, &t) != 0) return false;
+    return s.st_dev == t.st_dev && s.st_ino == t.st_ino;
+}

@@ -14,4 +14,7 @@ typedef struct files {
 bool files_add(files *list, const char *operand, failure *f);
 void files_free(files *list);
 
+/* Whether two names are of one file that exists. */
+bool is_same_file(const char *a, const char *b);
+
 #endif

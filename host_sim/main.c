@@ -47,7 +47,7 @@ static int run_command(const options *o) {
         if (strcmp(name, planned[i]) == 0)
             return usage_error("this command does not exist yet: ", name) ? 0 : 2;
     }
-    (void)usage_error("no command is called ", name);
+    (void)fprintf(stderr, "nook: no command is called %s (see nook --help)\n", name);
     return 2;
 }
 

@@ -33,8 +33,6 @@ static bool make_mesh(model *m, imported *in, failure *f) {
     m->mesh.nt = in->nt;
     m->format = in->format;
     m->triangles_in = in->nt;
-    m->short_faces = in->short_faces;
-    m->trailing = in->trailing;
     m->soup = in->soup;
     in->G = NULL;
     in->V = NULL;
@@ -68,16 +66,21 @@ static bool weld(nook_mesh *mesh, failure *f) {
     return false;
 }
 
-uint32_t model_joinable(const model *m) {
+bool model_hint(const model *m, char *text, size_t room) {
     nook_mesh copy = m->mesh;
-    uint32_t joined;
     failure ignored;
+    if (m->welded) return false;
     copy.G = take(m->mesh.nv, sizeof *copy.G);
     copy.nt = 0;
     memcpy(copy.G, m->mesh.G, m->mesh.nv * sizeof *copy.G);
-    joined = weld(&copy, &ignored) ? m->mesh.nv - copy.nv : 0;
+    (void)weld(&copy, &ignored);
     free(copy.G);
-    return joined;
+    (void)snprintf(
+        text, room,
+        "hint: %" PRIu32
+        " vertices repeat the coordinates of another; --weld exact joins them and may close the surface",
+        m->mesh.nv - copy.nv);
+    return copy.nv < m->mesh.nv;
 }
 
 static bool is_degenerate(const nook_mesh *mesh, uint32_t t) {
@@ -106,6 +109,15 @@ static bool fill(model *m, imported *in, const load_options *options, uint32_t m
     return true;
 }
 
+static void print_notes(const imported *in, const char *file) {
+    char note[100];
+    if (in->trailing) print_message(stderr, file, "note: bytes after the declared facets are ignored");
+    if (in->short_faces == 0) return;
+    (void)snprintf(note, sizeof note, "note: %" PRIu32 " %s of fewer than 3 corners skipped", in->short_faces,
+                   in->short_faces == 1u ? "face" : "faces");
+    print_message(stderr, file, note);
+}
+
 bool model_load(model *m, const char *path, const load_options *options, uint32_t max_list, failure *f) {
     bytes file;
     imported in;
@@ -116,6 +128,7 @@ bool model_load(model *m, const char *path, const load_options *options, uint32_
     m->format = in.format;
     bytes_free(&file);
     good = good && fill(m, &in, options, max_list, f);
+    if (good) print_notes(&in, path);
     import_free(&in);
     return good;
 }
@@ -128,4 +141,62 @@ void model_free(model *m) {
     free(m->dropped);
     free(m->dropped_at);
     memset(m, 0, sizeof *m);
+}
+
+/* ---- hull -------------------------------------------------------------------------------------- */
+
+nook_marks marks_take(const nook_mesh *mesh) {
+    nook_marks marks = {take(NOOK_MT_BYTES(mesh->max_nt), 1), take(NOOK_MV_BYTES(mesh->max_nv), 1),
+                        mesh->max_nt, mesh->max_nv};
+    return marks;
+}
+
+void marks_free(nook_marks *marks) {
+    free(marks->Mt);
+    free(marks->Mv);
+}
+
+/* The points that count: those of triangles, or all if there is no triangle. */
+static void keep_points(nook_mesh *mesh) {
+    uint8_t *used = take(mesh->nv, 1);
+    uint32_t i, n = 0;
+    memset(used, mesh->nt == 0 ? 1 : 0, mesh->nv);
+    for (i = 0; i < 3u * mesh->nt; i++) used[mesh->V[i]] = 1;
+    for (i = 0; i < mesh->nv; i++) {
+        if (used[i] != 0) mesh->G[n++] = mesh->G[i];
+    }
+    mesh->nv = n;
+    mesh->nt = 0;
+    free(used);
+}
+
+/* Room for the largest hull that the points can have. */
+static bool take_tables(nook_mesh *mesh, failure *f) {
+    char what[120];
+    uint32_t nt = mesh->nv < 4u ? 4u : 2u * mesh->nv - 4u;
+    if (nt > NOOK_MAX_TRIANGLES) {
+        (void)snprintf(what, sizeof what,
+                       "%" PRIu32 " points may need %" PRIu32
+                       " triangles, but %d-bit indices hold at most %u",
+                       mesh->nv, nt, NOOK_INDEX_BITS, NOOK_MAX_TRIANGLES);
+        return fail(f, NOOK_NO_CAPACITY, what);
+    }
+    free(mesh->V);
+    free(mesh->O);
+    mesh->V = take(3 * (size_t)nt, sizeof *mesh->V);
+    mesh->O = take(3 * (size_t)nt, sizeof *mesh->O);
+    mesh->max_nt = nt;
+    return true;
+}
+
+bool model_hull(model *m, bool *flat, failure *f) {
+    nook_marks marks;
+    nook_status status;
+    keep_points(&m->mesh);
+    if (!take_tables(&m->mesh, f)) return false;
+    marks = marks_take(&m->mesh);
+    status = nook_hull(&m->mesh, &marks, NULL, NULL);
+    marks_free(&marks);
+    *flat = status == NOOK_FLAT_SHELL;
+    return status == NOOK_OK || *flat ? true : fail(f, status, NULL);
 }

@@ -21,16 +21,26 @@ typedef struct model {
     uint32_t *dropped;      /* [dropped_listed] their numbers in the file, */
     nook_point *dropped_at; /* [dropped_listed] and one of their points */
     uint32_t dropped_listed;
-    uint32_t short_faces;
-    bool trailing, soup, welded;
+    bool soup, welded;
 } model;
 
-/* Load a file ("-": standard input). max_list: how many dropped triangles to remember. False with f
- * filled; model_free() either way. */
+/* Load a file ("-": standard input), with notes on stderr about what of it is ignored. max_list: how many dropped
+ * triangles to remember. False with f filled; model_free() either way. */
 bool model_load(model *m, const char *path, const load_options *options, uint32_t max_list, failure *f);
 void model_free(model *m);
 
-/* How many vertices an exact weld would join; tried on a copy of the points, n log2 n. */
-uint32_t model_joinable(const model *m);
+/* What to say about a mesh with a border that may be none: that an exact weld would join vertices. False if it was
+ * welded, or none are equal; tried on a copy of the points, n log2 n. */
+bool model_hint(const model *m, char *text, size_t room);
+
+/* The mesh becomes the convex hull of the points of its triangles, or of all its points if it has no triangle; flat: there
+ * is none, and it has no triangle now. False with f filled. Memory: tables for the 2 nv - 4 triangles that a hull of
+ * nv points can have. */
+bool model_hull(model *m, bool *flat, failure *f);
+#define MODEL_FLAT "no hull has a volume: the points lie in one plane"
+
+/* Marks for all that a mesh has room for, on the heap. */
+nook_marks marks_take(const nook_mesh *mesh);
+void marks_free(nook_marks *marks);
 
 #endif

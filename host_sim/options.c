@@ -29,6 +29,7 @@ static const struct {
     {"--error", true, FOR_SIMPLIFY},
     {"--outside", false, FOR_SIMPLIFY},
     {"--convex", false, FOR_SIMPLIFY},
+    {"--unguarded", false, FOR_SIMPLIFY},
     {"--iterations", true, FOR_SMOOTH},
     {"--method", true, FOR_SMOOTH},
     {"--slide", false, FOR_SMOOTH},
@@ -54,7 +55,10 @@ static bool parse_option(options *o, int argc, char **argv, int *at) {
     const char *arg = argv[*at];
     size_t length;
     int i = find(arg, &length);
-    if (i == OPTION_COUNT) return usage_error("no option is called ", arg);
+    if (i == OPTION_COUNT) {
+        (void)fprintf(stderr, "nook: no option is called %s (see nook --help)\n", arg);
+        return false;
+    }
     if (!table[i].takes_value && arg[length] == '=') return usage_error("this option takes no value: ", arg);
     if (table[i].takes_value && arg[length] == 0 && *at + 1 == argc)
         return usage_error("a value must follow ", arg);
@@ -69,7 +73,9 @@ bool options_parse(options *o, int argc, char **argv) {
     memset(o, 0, sizeof *o);
     o->operand = take((size_t)argc + 1, sizeof *o->operand);
     for (i = 1; i < argc; i++) {
-        if (only_operands || argv[i][0] != '-' || argv[i][1] == 0) {
+        if (i == 1 && strcmp(argv[i], "help") == 0) {
+            o->given[OPTION_HELP] = true;
+        } else if (only_operands || argv[i][0] != '-' || argv[i][1] == 0) {
             o->operand[o->operands++] = argv[i];
         } else if (strcmp(argv[i], "--") == 0) {
             only_operands = true;

@@ -140,18 +140,11 @@ static void print_defect(FILE *to, const model *m, const verdict *v, nook_status
 
 static void print_reasons(FILE *to, const model *m, const verdict *v, bool sound) {
     int kind;
-    uint32_t joinable;
+    char hint[160];
     for (kind = 0; kind < NOOK_STATUS_COUNT; kind++) {
         if (v->defects[kind].count != 0) print_defect(to, m, v, (nook_status)kind, !sound);
     }
-    if (m->welded || v->check.border_edges == 0) return;
-    joinable = model_joinable(m);
-    if (joinable == 0) return;
-    (void)fprintf(
-        to,
-        "  hint: %" PRIu32
-        " vertices repeat the coordinates of another; --weld exact joins them and may close the surface\n",
-        joinable);
+    if (v->check.border_edges != 0 && model_hint(m, hint, sizeof hint)) (void)fprintf(to, "  %s\n", hint);
 }
 
 /* ---- figures ----------------------------------------------------------------------------------- */

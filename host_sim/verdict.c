@@ -139,17 +139,13 @@ bool examine(verdict *v, model *m, uint32_t max_list, failure *f) {
     v->max_list = max_list;
     v->outward = NOOK_MAYBE;
     list_dropped(v, m);
-    marks.Mt = take(NOOK_MT_BYTES(mesh->nt), 1);
-    marks.Mv = take(NOOK_MV_BYTES(mesh->nv), 1);
-    marks.max_nt = mesh->nt;
-    marks.max_nv = mesh->nv;
+    marks = marks_take(mesh);
     v->shells.shell = take(mesh->nt, sizeof *v->shells.shell);
     v->shells.component = take(mesh->nt, sizeof *v->shells.component);
     v->shells.stamp = take(mesh->nv, sizeof *v->shells.stamp);
     v->shells.max_shells = mesh->nt;
     status = link_and_check(v, mesh, &marks);
-    free(marks.Mt);
-    free(marks.Mv);
+    marks_free(&marks);
     if (status != NOOK_OK) return fail(f, status, NULL);
     return find_meetings(v, mesh, f);
 }

@@ -14,14 +14,14 @@ typedef struct nook_guard nook_guard;
 typedef struct nook_edit {
     /* Conditions. */
     bool no_turn; /* no triangle may turn over or lose its area: NOOK_TURNED_TRIANGLE. Exact */
-    uint32_t
-        max_valence; /* no vertex may come to have more triangles: NOOK_TOO_MANY_TRIANGLES. 0: no limit. It also
-                             bounds the steps, as no fan beyond it is walked round */
-    nook_guard *
-        guard; /* no triangle that is made or moves may intersect another: NOOK_SELF_INTERSECTION. nook_guard.h */
+    /* No vertex may come to have more triangles: NOOK_TOO_MANY_TRIANGLES. 0: no limit. It also bounds the steps, as no fan
+     * beyond it is walked round. */
+    uint32_t max_valence;
+    /* No triangle that is made or moves may intersect another: NOOK_SELF_INTERSECTION. nook_guard.h */
+    nook_guard *guard;
     /* Data beside the mesh, each array null or kept in step with it. */
-    uint8_t *
-        color; /* [max_nt], 0 is invisible: a new triangle takes that of the one it is cut from or joined to */
+    /* [max_nt], 0 is invisible: a new triangle takes that of the one it is cut from or joined to. */
+    uint8_t *color;
     float *attributes; /* [3 max_nt][width], of corners: a new vertex has them by barycentric coordinates */
     uint32_t width;
     /* Told after vertex (NOOK_AT_VERTEX) or triangle (NOOK_AT_TRIANGLE) from has taken the number of one that is

@@ -39,11 +39,10 @@ typedef struct nook_vertex_split {
     nook_point at;         /* where C is in the coarser */
     nook_index c, o;       /* in the finer mesh: c and o(c); o is none at a border */
     nook_index v;          /* the number of B */
-    nook_index e,
-        f; /* in the coarser mesh: the corners that face A C and D C; at a border f is at C in the triangle of e */
-    nook_index
-        table; /* the finer C: 1, A had c; 2, D had o; 4, C had p(c), or 8, n(o); 16 times where B had its corner: 0, n(c),
-                              i, the ith triangle from A to D that B keeps, more, p(o) */
+    nook_index e, f; /* in the coarser: the corners that face A C and D C; at a border f is that of e at C */
+    /* The finer C: 1, A had c; 2, D had o; 4, C had p(c), or 8, n(o); 16 times where B had its corner: 0, n(c),
+     * i, the ith triangle from A to D that B keeps, more, p(o). */
+    nook_index table;
 } nook_vertex_split;
 
 typedef struct nook_levels {

@@ -2,6 +2,12 @@
  *
  *   nook_orient         turns triangles over until any two with an edge to themselves agree; says where none can
  *   nook_orient_shells  turns shells over until those of a solid face out of it, cavities in it included
+ * From triangles that run anyhow:
+ *     nook_orient(&mesh, &marks, NULL, NULL, &where);
+ *     nook_link(&mesh, &marks, &shells, NULL, &report, &where);
+ *     nook_check(&view, &marks, &report, &shells, NULL, &result);
+ *     nook_bvh_build(&bvh, &view, tree.boxes, tree.order, &where);
+ *     nook_orient_shells(&state, &mesh, &bvh, &shells, NULL, NULL);
  * Points and names of vertices and triangles stay; a triangle is turned by exchanging its corners 3 t + 1 and 3 t + 2. */
 #ifndef NOOK_ORIENT_H
 #define NOOK_ORIENT_H

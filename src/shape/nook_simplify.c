@@ -442,7 +442,9 @@ static nook_status advance(nook_simplify_state *s) {
         s->scale = nook_power_of_two(264u - exponent);
         s->unit = nook_power_of_two(exponent - 10u);
         s->allowed = s->goal->error;
-        if (s->goal->deviation != NULL) allow(s, s->goal->error * 0x1p-12f + 0x1p-126f);
+        if (s->goal->deviation != NULL) {
+            allow(s, (s->goal->error < s->extent ? s->goal->error : s->extent) * 0x1p-12f + 0x1p-126f);
+        }
         s->phase = DRAW;
     } else if (m->nt <= s->goal->triangles) {
         s->refused = NOOK_OK;
@@ -451,7 +453,7 @@ static nook_status advance(nook_simplify_state *s) {
     } else if (s->phase == SWEEP) {
         sweep(s);
     } else if (++s->idle > (uint32_t)LONG && s->allowed < s->goal->error) {
-        allow(s, 2 * s->allowed);
+        allow(s, s->allowed > s->extent ? s->goal->error : 2 * s->allowed);
         s->idle = 0;
     } else if (s->idle > 8u * m->nt + 64u) {
         s->phase = SWEEP;

@@ -8,6 +8,13 @@
  * on every machine. The numbers of handles, borders and shells stay, and the way triangles face: each collapse is one of
  * nook_collapse() with no_turn. Borders keep their shape as the surface does, by the areas between.
  *
+ *     static nook_simplify_state state;
+ *     nook_simplify_goal goal = {.triangles = 500};
+ *     status = nook_simplify(&state, &mesh, &goal, NULL);           linked, and by nook_check() manifold and oriented
+ *
+ * What moves the surface least does not go first by itself. Where deviation counts, begin with a small error, simplify, and double it
+ * whenever little more goes, until there are few enough: the largest deviation comes out up to sixty times smaller.
+ * What is beside the mesh is of the mesh as it was: build its tree (nook_bvh) anew, and to check it, link it again.
  * Levels of detail are the same mesh taken to several counts, or with a record (nook_levels.h) any count between, forth and back.
  * What may be asked besides:
  *
@@ -20,7 +27,8 @@
  *       goes along that. The gap is then linear between the edges of old and new, so it is looked at where these cross, and
  *       at the three vertices. Not at borders.
  * Rounding is allowed for. The new vertex gets the smaller number of both that is enough, all others keep theirs.
- * What moves the surface least goes first: a 4096th of the error is allowed, and twice as much when 64 steps found nothing.
+ * What moves the surface least goes first: a 4096th of the error, or of the extent of the mesh if that is less, is allowed, and
+ * twice as much when 64 steps found nothing.
  *
  * Outside: the new vertex is on the inner side of no triangle around either end (progressive hulls: Sander, Gu, Gortler,
  * Hoppe and Snyder 2000), exactly. The new surface less the old one is then the boundary of the tetrahedra between these
@@ -36,10 +44,12 @@
 
 typedef struct nook_simplify_goal {
     uint32_t triangles; /* stop at so many or less; 0: as few as all else allows */
-    float error; /* with deviation: none may become larger. Also for a count, give the most that would do */
-    float *deviation;    /* [max_nv] or null; in: usually 0, out: one for each vertex */
-    bool outside;        /* for solids, all shells facing out of them; what is at a border stays as it is */
-    nook_levels *levels; /* or null: every collapse is recorded, to be taken back and made again */
+    float error;        /* with deviation: none may become larger; FLT_MAX: any may be */
+    float *deviation;   /* [max_nv] or null; in: usually 0, out: one for each vertex */
+    bool outside;       /* for solids, all shells facing out of them; what is at a border stays as it is */
+    /* Or null: every collapse is recorded, to be taken back and made again. From nt to triangles there are (nt - triangles) / 2
+     * on a closed mesh; with a border some more, as one at the border takes one triangle only. */
+    nook_levels *levels;
 } nook_simplify_goal;
 
 enum { NOOK_SIMPLIFY_POOL = 16 };
@@ -63,7 +73,8 @@ typedef struct nook_simplify_state {
 } nook_simplify_state;
 
 /* Simplify a linked manifold mesh, and all that edit takes along with it.
- *   edit  max_valence is respected; no_turn is always asked. Or null
+ *   edit  max_valence is respected; no_turn is always asked; with a guard, what does not cut itself does not come to. A guard
+ *         grows slow as triangles go: go by parts of a fortieth, and before each build its tree, reorder, refit. Or null
  *   goal  must stay until the end
  *   NOOK_OK              done: goal->triangles are reached, or that is 0 and nothing more can go
  *   NOOK_NULL_ARGUMENT   state, mesh, goal
@@ -71,6 +82,7 @@ typedef struct nook_simplify_state {
  * else goal->triangles cannot be reached: all edges were tried, and this is why the last was refused, with state->where:
  *   NOOK_DUPLICATE_EDGE, NOOK_NONMANIFOLD_VERTEX, NOOK_DUPLICATE_TRIANGLE, NOOK_LAST_TRIANGLE  as of nook_collapse()
  *   NOOK_TURNED_TRIANGLE     a triangle would turn over
+ *   NOOK_SELF_INTERSECTION   edit->guard
  *   NOOK_TOO_MANY_TRIANGLES  edit->max_valence, or more than some 40 triangles around the edge, which is never collapsed
  *   NOOK_NO_PLACE            the deviation would be too large, or no point outside was found
  *   NOOK_NO_CAPACITY         the record is full

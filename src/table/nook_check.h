@@ -25,9 +25,9 @@ typedef struct nook_check_result {
     nook_survey survey;
     int32_t euler; /* referenced vertices - edges + triangles; only when edges is known */
     bool euler_known;
-    uint32_t
-        handles; /* of all components together, if orientable: fans - edges + triangles = 2 s - 2 g - h (Euler-Poincare);
-                         NOOK_UNKNOWN where no g fits, for then report and tables are not of one surface */
+    /* Of all components together, if orientable: fans - edges + triangles = 2 s - 2 g - h (Euler-Poincare);
+     * NOOK_UNKNOWN where no g fits, for then report and tables are not of one surface. */
+    uint32_t handles;
 
     nook_truth edge_manifold; /* no edge with more than two triangles */
     nook_truth manifold;      /* that, at least one triangle, and every vertex a single fan */
@@ -36,9 +36,8 @@ typedef struct nook_check_result {
     nook_truth oriented;      /* no incoherent edge */
     nook_truth clean;         /* no isolated vertex, no triangle with a repeated vertex */
     nook_truth simple;        /* one shell of genus 0: watertight, manifold, orientable */
-    nook_truth
-        patch; /* a disk (T-patch): one component of genus 0 with one border loop; manifold, orientable */
-    nook_truth inside_out; /* signed volume < 0; NOOK_MAYBE unless watertight and oriented */
+    nook_truth patch;         /* a disk (T-patch): one component, manifold, orientable, genus 0, one loop */
+    nook_truth inside_out;    /* signed volume < 0; NOOK_MAYBE unless watertight and oriented */
 
     nook_geometry geometry; /* known if the tables and all coordinates are good */
 } nook_check_result;

@@ -43,8 +43,8 @@ typedef struct nook_shell {
     /* Filled by nook_geometry: */
     nook_volume volume;  /* six times the signed volume, exact; a volume only if closed and oriented */
     float signed_volume; /* rounded once; 0 unless the shell is closed and coherently oriented */
-    nook_truth
-        cavity; /* by nook_orient_shells: it lies inside an odd number of others; until then NOOK_MAYBE */
+    /* By nook_orient_shells: it lies inside an odd number of others; until then NOOK_MAYBE. */
+    nook_truth cavity;
 } nook_shell;
 
 /* The genus of a shell (number of handles) from fans - edges + triangles = 2 - 2g - loops;

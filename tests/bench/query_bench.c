@@ -416,7 +416,7 @@ static void print_ratios(task what, int form) {
 }
 
 static void print_row(task what) {
-    printf("%-15s%9u", mesh->name, mesh->nt);
+    printf("%-15.14s%9u", mesh->name, mesh->nt);
     for (uint32_t i = 0; i < column_count; i++) printf("%13.4g", columns[i].ns * tasks[what].scale);
     printf("\n");
     print_ratios(what, 0);

@@ -297,7 +297,7 @@ bool shape_read(shape *s, const char *path) {
     while (t < nt && fread(facet, 1, sizeof facet, f) == sizeof facet)
         memcpy(soup + 3u * (size_t)t++, facet + 12, 36);
     fclose(f);
-    snprintf(s->name, sizeof s->name, "%.*s", 14, base == NULL ? path : base + 1);
+    snprintf(s->name, sizeof s->name, "%.*s", (int)sizeof s->name - 1, base == NULL ? path : base + 1);
     weld(s, soup, t);
     free(soup);
     for (uint32_t v = 0; v < s->nv; v++)

@@ -50,9 +50,9 @@ struct Linked {
     nook_mesh mesh;
     nook_view view;
     nook_bvh bvh;
+    nook_report report;
 
-    explicit Linked(const Soup &s) : G(s.G), V(s.V.begin(), s.V.end()), O(V.size()), C(G.size()), view(), bvh() {
-        nook_report report;
+    explicit Linked(const Soup &s) : G(s.G), V(s.V.begin(), s.V.end()), O(V.size()), C(G.size()), view(), bvh(), report() {
         must(nook_mesh_init(&mesh, G.data(), V.data(), O.data(), C.data(), uint32_t(G.size()),
                             uint32_t(V.size() / 3)));
         mesh.nv = mesh.max_nv;
@@ -190,6 +190,11 @@ void compare(const shape &mesh) {
     for (uint32_t v = 0; v < mesh.nv; v++) s.G.push_back({mesh.G[v].x, mesh.G[v].y, mesh.G[v].z});
     s.V.assign(mesh.V, mesh.V + 3 * size_t(mesh.nt));
     const uint32_t target = mesh.nt / 10;
+    Linked before(s);
+    if (before.report.border_edges + before.report.matched_edges != before.report.edges) {
+        printf("%s: left out, as it is no oriented manifold\n", mesh.name);
+        return;
+    }
     std::vector<Way> ways;
     ways.push_back(
         {"nook", [](const Soup &m, uint32_t n, double &t) { return by_nook(m, n, t, false, false); }});
@@ -210,7 +215,6 @@ void compare(const shape &mesh) {
             w.result = w.run(s, target, time);
             w.least = std::min(w.least, time);
         }
-    Linked before(s);
     before.plant();
     printf("%s, %u triangles to %u          ns/triangle       mean        most   (of the size %g)\n",
            mesh.name, mesh.nt, target, double(mesh.size));
@@ -233,7 +237,7 @@ int main(int argc, char **argv) {
         const char *name = argc > 1 ? argv[i] : usual[i - 1];
         shape mesh;
         if (!shape_make(&mesh, name) && !shape_read(&mesh, name)) {
-            printf("no mesh: %s\n", name);
+            printf("no mesh: %s (a name in query_shapes.c, or a binary STL)\n", name);
             return 1;
         }
         compare(mesh);

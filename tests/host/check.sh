@@ -152,7 +152,7 @@ printf 'OFF # c\n4 4 6 # c\n# c\n0 0 0 # c\n1 0 0 9 9\n0 1 0\n0 0 1\n3 0 2 1 255
 expect 'comments and colours of an OFF' 0 '"verdict":"sound"' "$nook" check --json "$dir/comments.off"
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n' >"$dir/quads.obj"
 expect 'a cube of quads' 0 '"triangles":12,.*"signed_volume":1,' "$nook" check --json "$dir/quads.obj"
-expect '--scale scales' 0 '"signed_volume":1e+03,.*"bbox_max":\[1e+01,1e+01,1e+01\]' "$nook" check --json --scale 10 "$dir/quads.obj"
+expect '--scale scales' 0 '"signed_volume":1000,.*"bbox_max":\[10,10,10\]' "$nook" check --json --scale 10 "$dir/quads.obj"
 expect '--scale 0 is none' 2 '' "$nook" check --scale 0 "$dir/quads.obj"
 expect 'a flat shell is not outward' 1 '"outward":false' "$nook" check --json "$dir/flat.obj"
 "$nook" make icosphere --defect zero-area -o "$dir/zero-area.off" 2>/dev/null

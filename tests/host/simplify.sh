@@ -38,6 +38,38 @@ done
 expect 'a mesh with borders' 0 ': [0-9]* triangles of' "$nook" simplify --error 0.001 "$dir/sheet.obj" "$dir/out.obj"
 [ "$(member "$dir/out.obj" border_loops)" = "$(member "$dir/sheet.obj" border_loops)" ] && ok || no 'border loops are as many as before'
 
+# ---- what does not cut itself ----------------------------------------------------------------------------
+cut=0
+for shape in pipe torus gear; do
+    "$nook" make $shape --triangles 320 -o "$dir/in.off" 2>/dev/null
+    for n in 60 20 10; do
+        "$nook" simplify --triangles $n "$dir/in.off" "$dir/out.off" >"$dir/said" 2>&1
+        expect "a $shape of $n triangles does not cut itself" 0 '"verdict":"sound"' "$nook" check --json "$dir/out.off"
+        for other in build/nook build/nook16; do # the same on PC and board
+            [ ! -x $other ] || { $other simplify --triangles $n "$dir/in.off" "$dir/again.off" >"$dir/said" 2>&1; cmp -s "$dir/out.off" "$dir/again.off"; } &&
+                ok || no "$other makes another $shape of $n triangles"
+        done
+        "$nook" simplify --unguarded --triangles $n "$dir/in.off" "$dir/out.off" >"$dir/said" 2>&1
+        "$nook" check "$dir/out.off" | grep -q 'DEFECTIVE: [0-9]* self-intersections$' && cut=$((cut + 1))
+    done
+done
+[ $cut -gt 0 ] && ok || no 'unguarded some would cut themselves'
+"$nook" make icosphere --defect crossing -o "$dir/crossing.off" 2>/dev/null
+expect 'what cuts itself anyway' 0 ': 100 triangles of 640,' "$nook" simplify --triangles 100 "$dir/crossing.off" "$dir/out.off"
+
+# ---- what moves the surface least goes first: a pipe of flat faces, of which 400 triangles are enough ------
+"$nook" make pipe --triangles 5000 -o "$dir/in.off" 2>/dev/null
+said=$("$nook" simplify --json --triangles 500 "$dir/in.off" "$dir/out.off")
+awk -F'"deviation":' '{ exit !($2 + 0 < 0.001) }' <<X && ok || no "a pipe of 500 triangles: $said"
+$said
+X
+most=5000
+for e in 0.0003 0.001 0.01 0.1; do
+    said=$("$nook" simplify --json --error $e "$dir/in.off" "$dir/out.off" | sed 's/.*"triangles":\([0-9]*\).*/\1/')
+    [ "$said" -le $most ] && ok || no "a pipe has $said triangles within $e, $most within less"
+    most=$said
+done
+
 # ---- a cube ----------------------------------------------------------------------------------------------
 cube='v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n'
 printf "${cube}f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n" >"$dir/cube.obj"
@@ -64,12 +96,17 @@ printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 3 2 4\n' >"$dir/flat.obj"
 expect 'a flat one has no hull' 1 'no hull has a volume' "$nook" simplify --convex --triangles 8 "$dir/flat.obj" "$dir/none.obj"
 printf 'OFF\n0 0 0\n' >"$dir/empty.off"
 expect 'an empty one' 1 'not a manifold' "$nook" simplify --triangles 8 "$dir/empty.off" "$dir/none.obj"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 5 4 6\n' >"$dir/loose.obj"
+expect 'equal vertices that are not joined' 0 "^nook: $dir/loose.obj: hint: 2 vertices repeat .* --weld exact" "$nook" simplify --triangles 2 "$dir/loose.obj" "$dir/out.obj"
+expect 'joined there is no hint' 0 "^$dir/out.obj: 2 triangles of 2" "$nook" simplify --weld exact --triangles 2 "$dir/loose.obj" "$dir/out.obj"
+expect 'a mesh that is not there, in numbers' 2 '^{"file":.*"verdict":"unreadable",.*"error":{"code":"cannot_read",' "$nook" simplify --json --triangles 2 "$dir/absent.obj" "$dir/none.obj"
 [ -e "$dir/none.obj" ] && no 'a file was written' || ok
 
 # ---- wrong use ---------------------------------------------------------------------------------------------
 expect 'neither count nor distance' 2 'needs --triangles N or --error E' "$nook" simplify "$dir/cube.obj" "$dir/out.obj"
 expect 'both' 2 'needs --triangles N or --error E' "$nook" simplify --triangles 4 --error 1 "$dir/cube.obj" "$dir/out.obj"
 expect 'outside and convex' 2 'give one of them' "$nook" simplify --triangles 4 --outside --convex "$dir/cube.obj" "$dir/out.obj"
+expect 'OUT that is IN' 2 'another file than IN' "$nook" simplify --triangles 4 "$dir/cube.obj" "$dir/./cube.obj"
 expect 'no triangles' 2 'above 0' "$nook" simplify --triangles 0 "$dir/cube.obj" "$dir/out.obj"
 expect 'a count that is none' 2 'needs a count' "$nook" simplify --triangles few "$dir/cube.obj" "$dir/out.obj"
 expect 'a distance below 0' 2 'needs a length' "$nook" simplify --error -1 "$dir/cube.obj" "$dir/out.obj"
@@ -79,5 +116,7 @@ expect 'a mesh that is not there' 2 "^nook: $dir/absent.obj: " "$nook" simplify 
 expect 'a folder that is not there' 2 "^nook: $dir/absent/out.obj: " "$nook" simplify --triangles 4 "$dir/cube.obj" "$dir/absent/out.obj"
 expect 'an option of others' 2 'has no option --budget' "$nook" simplify --budget 3 --triangles 4 "$dir/cube.obj" "$dir/out.obj"
 expect 'help' 0 'the same shape with fewer triangles' "$nook" simplify --help
+expect 'help asked for otherwise' 0 'the same shape with fewer triangles' "$nook" help simplify
+expect 'help about all' 0 'nook simplify IN OUT' "$nook" help
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ]

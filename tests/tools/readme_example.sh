@@ -1,5 +1,5 @@
 #!/bin/sh
-# readme_example.sh -- the firmware example of README.md must compile without a warning and run.
+# readme_example.sh -- the firmware example of README.md must compile without a warning and run; its commands must print what it says.
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 awk '/^```c$/ {on = 1; next} /^```$/ {on = 0} on' README.md >"$dir/example.c"
@@ -24,5 +24,12 @@ if ${CC:-cc} -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -Is
 else
     failed=1
 fi
+build/nook make icosphere --triangles 320 -o build/sound.stl && build/nook make icosphere --triangles 320 --defect hole -o build/hole.stl
+awk '/^```/ {on = !inside && $0 == "```"; inside = !inside; next} on' README.md >"$dir/told"
+grep '^build/nook' "$dir/told" | while read -r command; do
+    echo "$command"
+    $command 2>/dev/null
+done >"$dir/said"
+if diff "$dir/told" "$dir/said"; then passed=$((passed + 1)); else echo "README.md tells (<) what is not so (>)" && failed=$((failed + 1)); fi
 echo "$passed passed, $failed failed, 0 skipped"
-[ $failed -eq 0 ] && [ $passed -eq 2 ]
+[ $failed -eq 0 ] && [ $passed -eq 3 ]
