@@ -286,6 +286,41 @@ static void a_new_collapse_forgets_the_levels_beyond(void) {
     CHECK_EQUAL(nook_levels_collapse(&levels, &b.mesh, 0, b.mesh.G[0], NULL), NOOK_NO_CAPACITY);
 }
 
+/* Whether the triangle of corner c is found there. */
+static bool is_in_tree(const nook_bvh *bvh, uint32_t c) {
+    nook_point p = b.mesh.G[b.mesh.V[c]];
+    nook_overlap found;
+    uint32_t units = 1000;
+    CHECK_EQUAL(nook_overlap_begin(&found, bvh, p, p), NOOK_OK);
+    while (nook_overlap_step(&found, &units) == NOOK_TRIANGLE) {
+        if (found.t == c / 3) return true;
+    }
+    return false;
+}
+
+static nook_boxes tree_boxes[NOOK_BVH_GROUPS(32)];
+
+/* Fitted to each level, it has what is in the next. */
+static void a_tree_follows_the_levels(void) {
+    dice d = {8};
+    nook_guard guard;
+    const nook_edit watched = {.guard = &guard};
+    uint32_t c;
+    torus(4, 4);
+    b.mesh.max_nt = 32;
+    CHECK_EQUAL(link_and_check(NULL), NOOK_OK);
+    levels = nook_levels_in(splits, MOST_SPLITS);
+    while (collapse_one(&d, NULL)) {
+    }
+    CHECK(levels.count > 2);
+    CHECK_EQUAL(nook_guard_begin(&guard, &b.mesh, tree_boxes), NOOK_OK);
+    while (levels.level > 0 && !test_has_failed()) {
+        CHECK_EQUAL(nook_bvh_refit(&guard.bvh, tree_boxes, NULL), NOOK_OK);
+        CHECK_EQUAL(nook_levels_refine(&levels, &b.mesh, &watched), NOOK_OK);
+        for (c = 0; c < 3 * b.mesh.nt; c++) CHECK(is_in_tree(&guard.bvh, c));
+    }
+}
+
 /* ---- what is refused ---------------------------------------------------------------------------------- */
 
 static void refuses_to_refine(nook_status expected) {
@@ -436,6 +471,7 @@ static const test tests[] = {
     TEST(the_coarsest_mesh_and_the_record_are_enough),
     TEST(a_goal_is_reached_from_anywhere_in_any_slices),
     TEST(a_new_collapse_forgets_the_levels_beyond),
+    TEST(a_tree_follows_the_levels),
     TEST(a_record_that_does_not_fit_says_how),
     TEST(a_hub_can_stay_but_not_go),
     TEST(every_spoiled_bit_ends_well),

@@ -373,7 +373,9 @@ static void what_cannot_be_smoothed_is_named_and_nothing_changed(void) {
     is_refused(NOOK_COORDINATE_TOO_LARGE, NOOK_AT_VERTEX, 4);
     octahedron();
     linked();
-    b.mesh.C[2] = 24;
+    b.mesh.C[2] = 24; /* as if there were one triangle more */
+    b.mesh.V[24] = 2, b.mesh.V[25] = 0, b.mesh.V[26] = 1;
+    b.mesh.O[24] = 24, b.mesh.O[25] = 25, b.mesh.O[26] = 26;
     is_refused(NOOK_BAD_VERTEX_CORNER, NOOK_AT_VERTEX, 2);
     b.mesh.C[2] = b.mesh.C[3];
     is_refused(NOOK_BAD_VERTEX_CORNER, NOOK_AT_VERTEX, 2);

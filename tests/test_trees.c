@@ -383,6 +383,7 @@ static void a_call_that_cannot_be_carried_out_says_why(void) {
     CHECK_EQUAL(trees.components, 0);
     view.nt = 4, view.nv = 1; /* less than marks are to be cleared */
     CHECK_EQUAL(grow(UINT32_MAX), NOOK_OK);
+    CHECK_EQUAL(up[1], (nook_index)0x55555555u);
     CHECK_EQUAL(trees.components, 1);
 }
 

@@ -208,9 +208,9 @@ NOOK_APART static nook_status refine_status(const nook_mesh *m, const nook_verte
 
 /* Triangle t gives its number up, and is the last. */
 static void leave(nook_mesh *m, uint32_t t, const nook_edit *edit, nook_vertex_split *s) {
-    nook_move_triangle(m, t, m->nt, edit);
-    rename_both(s, t, m->nt);
-    m->nt++;
+    uint32_t last = m->nt++; /* before it is moved there, for a tree follows */
+    nook_move_triangle(m, t, last, edit);
+    rename_both(s, t, last);
 }
 
 /* B gets its triangles and its corner. */
