@@ -10,14 +10,15 @@
 
 enum { LOOK, DRAW, SWEEP, DONE };
 enum {
-    FRESH = 2, /* vertices looked at for an edge that goes */
-    LONG = 64, /* steps since the last collapse */
-    HELD = 24  /* corners around an edge where the vertex must be held outside */
+    FRESH = 2,     /* vertices looked at for an edge that goes */
+    PATIENCE = 40, /* and more of them at most */
+    LONG = 64,     /* steps since the last collapse */
+    HELD = 24      /* corners around an edge where the vertex must be held outside */
 };
 #define ROUND                                                                                                \
     0x1p-15f /* how much of a sphere every quadric has, so that it has a least place also where all is flat */
 #define SHORT                                                                                                \
-    0x1p-18f /* how much more an edge costs for its length, so that among those that cost nothing short ones go */
+    0x1p-22f /* how much more an edge costs for its length, so that among those that cost nothing short ones go */
 
 /* ---- what is around an edge ------------------------------------------------------------------------- */
 
@@ -331,6 +332,8 @@ static void refuse(nook_simplify_state *s, uint32_t c, nook_status status) {
 static bool try_edge(nook_simplify_state *s, uint32_t c, const choice *to, nook_status status) {
     if (status == NOOK_OK) status = collapse(s, c, to);
     if (status == NOOK_OK) {
+        s->usual *= to->cost > s->usual ? 1.125f : 0.96875f;
+        if (s->usual == 0) s->usual = to->cost;
         s->idle = s->fresh = 0;
         return true;
     }
@@ -417,6 +420,13 @@ static void sweep(nook_simplify_state *s) {
     if (++s->idle > 3u * s->mesh->nt) s->phase = DONE;
 }
 
+/* How many vertices must be drawn before the best of the pool goes: more, where that costs four times the usual. */
+static uint32_t enough(const nook_simplify_state *s) {
+    uint32_t best = nook_exponent(s->pool[s->pooled - 1u].cost), usual = nook_exponent(s->usual) + 2u,
+             more = best > usual ? 4u * (best - usual) : 0;
+    return FRESH + (more < (uint32_t)PATIENCE ? more : (uint32_t)PATIENCE);
+}
+
 static void allow(nook_simplify_state *s, float deviation) {
     s->allowed = deviation < s->goal->error ? deviation : s->goal->error;
 }
@@ -458,7 +468,7 @@ static nook_status advance(nook_simplify_state *s) {
     } else if (s->idle > 8u * m->nt + 64u) {
         s->phase = SWEEP;
         s->idle = s->at = 0;
-    } else if (s->fresh < (uint32_t)FRESH || s->pooled == 0) {
+    } else if (s->pooled == 0 || s->fresh < enough(s)) {
         draw(s);
     } else {
         take(s);

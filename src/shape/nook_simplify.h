@@ -3,9 +3,9 @@
  * Edges are collapsed one by one, each to the point where the squares of its distances from the planes of the triangles around it,
  * times their areas, have the least sum (quadrics: Garland and Heckbert 1997; of the triangles as they are, not carried along:
  * Lindstrom and Turk 1998). There is no queue: of a few vertices drawn by lot the edge that seems the best from there goes to a
- * pool of 16, and the best of all goes (multiple choice: Wu and Kobbelt 2002). So nothing is kept for a triangle or a vertex;
- * and as the lots are always the same, so is the mesh,
- * on every machine. The numbers of handles, borders and shells stay, and the way triangles face: each collapse is one of
+ * pool of 16, and the best of all goes (multiple choice: Wu and Kobbelt 2002), after a longer search if it costs more than what
+ * went before. So nothing is kept for a triangle or a vertex; and as the lots are always the same, so is the mesh, on every
+ * machine. The numbers of handles, borders and shells stay, and the way triangles face: each collapse is one of
  * nook_collapse() with no_turn. Borders keep their shape as the surface does, by the areas between.
  *
  *     static nook_simplify_state state;
@@ -65,6 +65,7 @@ typedef struct nook_simplify_state {
     uint32_t dice, pooled;
     float extent;      /* of the mesh, the larger of a coordinate */
     float allowed;     /* deviation, for now */
+    float usual;       /* cost: a fifth of those that went, or so, cost more */
     float scale, unit; /* powers of two: the extent, scaled, is near 1024; and back */
     struct {
         float cost;
