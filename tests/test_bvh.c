@@ -140,7 +140,7 @@ static void every_box_is_that_of_what_is_below(void) {
         groups = (groups + 3) / 4;
     }
     CHECK_EQUAL(m.bvh.levels, level);
-    CHECK_EQUAL(m.bvh.root, base);
+    CHECK_EQUAL(m.bvh.base[level], base);
     CHECK(base < NOOK_BVH_GROUPS(MOST_NT));
 }
 
@@ -252,7 +252,8 @@ static void every_slicing_builds_the_same_tree(void) {
                 memset(&m.tree, 0x5A, sizeof m.tree);
                 CHECK_EQUAL(build_in_slices(slice), spent);
                 CHECK(memcmp(m.kept.order, m.tree.order, nt * sizeof *m.tree.order) == 0);
-                CHECK(memcmp(m.kept.boxes, m.tree.boxes, (m.bvh.root + 1) * sizeof *m.tree.boxes) == 0);
+                CHECK(memcmp(m.kept.boxes, m.tree.boxes,
+                             (m.bvh.base[m.bvh.levels] + 1u) * sizeof *m.tree.boxes) == 0);
             }
         }
     }

@@ -330,9 +330,9 @@ static nook_status begin(nook_bvh_state *s, nook_bvh *bvh, nook_boxes *boxes, no
     s->end = nt;
     if (nt == 0) return refuse(s, NOOK_EMPTY_MESH, NOOK_NOWHERE, 0);
     bvh->stray = 0;
-    bvh->root = 0;
     for (bvh->levels = 1; nook_groups_of_level(places, bvh->levels) > 1u; bvh->levels++)
-        bvh->root += nook_groups_of_level(places, bvh->levels);
+        bvh->base[bvh->levels + 1u] =
+            nook_store(bvh->base[bvh->levels] + nook_groups_of_level(places, bvh->levels));
     while ((uint32_t)4 << s->height < nt) s->height++;
     nothing(s);
     s->fresh = true;
@@ -446,24 +446,24 @@ void nook_bvh_widen(nook_bvh *bvh, nook_boxes *boxes, uint32_t t, const nook_poi
         if (!is_on_grid(bvh, least, axis) || !is_on_grid(bvh, most, axis)) bvh->stray = 0x1p100f;
     }
     for (level = 1; level <= bvh->levels; level++) {
+        nook_boxes *group = &boxes[bvh->base[level] + (t >> 4)];
         t >>= 2;
         for (axis = 0; axis < 3u; axis++) {
-            nook_bound *least = &boxes[t >> 2].low[axis][t & 3u], *most = &boxes[t >> 2].high[axis][t & 3u];
+            nook_bound *least = &group->low[axis][t & 3u], *most = &group->high[axis][t & 3u];
             *least = from[axis] < *least ? (nook_bound)from[axis] : *least;
             *most = to[axis] > *most ? (nook_bound)to[axis] : *most;
         }
-        boxes += nook_groups_of_level(bvh->places, level);
     }
 }
 
 /* ---- descent -------------------------------------------------------------------------------------- */
 
-float nook_descent_least(const nook_descent *d, const nook_bvh *bvh, float bound) {
-    uint32_t most = d->now, level = d->level;
+float nook_descent_least(const nook_descent *d, float bound) {
+    uint32_t most = d->now, level;
     float found;
-    for (level += d->now != NOOK_UP; level <= bvh->levels; level++) {
-        uint32_t entry = d->rest[level][0] & 0xFFFFu;
-        if (entry > most) most = entry;
+    for (level = 1; d->open >> level != 0; level++) {
+        uint32_t entry = d->rest[level - 1u][0] & 0xFFFFu;
+        if ((d->open >> level & 1u) != 0 && entry > most) most = entry;
     }
     found = nook_float_from((0xFFFFu - most) >> 2 << 17);
     return found < bound ? found : bound;

@@ -23,6 +23,9 @@ typedef struct nook_boxes {
     nook_bound low[3][4], high[3][4];
 } nook_boxes;
 
+/* Levels of groups, at most. */
+#define NOOK_BVH_LEVELS (NOOK_INDEX_BITS == 16 ? 7 : 14)
+
 /* Groups for max_nt triangles, and one more to build in; a constant expression. */
 #define NOOK_BVH_LEVEL(nt, k) ((nt) > (1u << (2 * (k))) ? (((nt)-1u) >> (2 * (k) + 2)) + 1u : 0u)
 #define NOOK_BVH_GROUPS(max_nt)                                                                              \
@@ -44,12 +47,13 @@ typedef struct nook_boxes {
 typedef struct nook_bvh {
     nook_view
         view; /* the mesh: G, V and their sizes are used, O and C by nook_intersections and nook_t_junctions only */
-    const nook_boxes *boxes; /* [NOOK_BVH_GROUPS(places)] */
-    const nook_index *order; /* [view.nt], or null: as they stand */
-    uint32_t places;         /* triangles that it is laid out for, at least view.nt */
-    uint32_t root, levels;   /* the last group; how many levels of groups there are */
-    nook_point origin;       /* of the grid */
-    nook_point cells;        /* cells a unit of length, along each axis */
+    const nook_boxes *boxes;              /* [NOOK_BVH_GROUPS(places)] */
+    const nook_index *order;              /* [view.nt], or null: as they stand */
+    uint32_t places;                      /* triangles that it is laid out for, at least view.nt */
+    uint32_t levels;                      /* of groups, the leaves on level 0 */
+    nook_index base[NOOK_BVH_LEVELS + 1]; /* where the groups of each level begin in boxes */
+    nook_point origin;                    /* of the grid */
+    nook_point cells;                     /* cells a unit of length, along each axis */
     float
         stray; /* 0, or more cells than any, when a triangle has left the grid: its bounds say nothing then */
 } nook_bvh;

@@ -106,9 +106,9 @@ NOOK_WIDE nook_vectors on_segment(nook_vectors a, nook_vectors b, nook_vectors x
 }
 
 /* That nearest to 0, of edge a b. */
-NOOK_WIDE void keep_edge(nearest *n, nook_vectors a, nook_vectors b, nook_lanes at) {
+NOOK_WIDE void keep_edge(nearest *n, nook_vectors a, nook_vectors b) {
     nook_vectors p = on_segment(a, b, nook_vectors_of(nook_make(0, 0, 0)));
-    keep_nearer(n, p, at, nook_vectors_dot(p, p));
+    keep_nearer(n, p, n->at, nook_vectors_dot(p, p));
 }
 
 NOOK_WIDE nook_flags is_left(nook_vectors a, nook_vectors b, nook_vectors normal) {
@@ -117,22 +117,22 @@ NOOK_WIDE nook_flags is_left(nook_vectors a, nook_vectors b, nook_vectors normal
 
 /* The nearest points of triangles to x, which is at of the segment: on an edge, or the foot of x. The foot is sought from
  * the nearest edge: the normal of a thin triangle is uncertain, but not so much as to matter across its width. */
-NOOK_WIDE void consider_triangles(nearest *n, const nook_vectors p[3], nook_vectors x, nook_lanes at) {
+NOOK_WIDE nearest of_triangles(const nook_vectors p[3], nook_vectors x) {
     nook_vectors a = nook_vectors_sub(p[0], x), b = nook_vectors_sub(p[1], x), c = nook_vectors_sub(p[2], x);
     nook_vectors normal = nook_vectors_cross(nook_vectors_sub(b, a), nook_vectors_sub(c, a));
-    nearest e = {a, at, nook_vectors_dot(a, a)};
+    nearest e = {a, nook_lanes_of(0), nook_vectors_dot(a, a)};
     nook_flags inside = is_left(a, b, normal);
-    keep_edge(&e, a, b, at);
-    keep_edge(&e, b, c, at);
-    keep_edge(&e, c, a, at);
+    keep_edge(&e, a, b);
+    keep_edge(&e, b, c);
+    keep_edge(&e, c, a);
     if (nook_any_flag(inside)) inside = inside & is_left(b, c, normal);
     if (nook_any_flag(inside)) inside = inside & is_left(c, a, normal);
     if (nook_any_flag(inside)) {
         nook_lanes t = nook_vectors_dot(e.point, normal) / nook_vectors_dot(normal, normal);
         nook_vectors foot = {t * normal.x, t * normal.y, t * normal.z};
-        keep_nearer(&e, foot, at, nook_choose(inside, nook_vectors_dot(foot, foot), e.square));
+        keep_nearer(&e, foot, e.at, nook_choose(inside, nook_vectors_dot(foot, foot), e.square));
     }
-    keep_nearer(n, along(x, e.point, nook_lanes_of(1.0f)), at, e.square);
+    return e;
 }
 
 /* The nearest points of two segments, 0 d and a b, where they are between the ends; the nearest to an end is found from
@@ -156,7 +156,9 @@ NOOK_APART static void consider_segment(nearest *n, const nook_closest *q, const
     nook_lanes s = nook_lanes_of(0);
     uint32_t i;
     for (i = 0; i < 3u; i++) {
-        consider_triangles(n, p, along(zero, d, s), s);
+        nook_vectors x = along(zero, d, s);
+        nearest e = of_triangles(p, x);
+        keep_nearer(n, along(x, e.point, nook_lanes_of(1.0f)), s, e.square);
         s = i == 0 ? nook_lanes_of(1.0f)
                    : clamp(nook_vectors_dot(p[0], normal) / nook_vectors_dot(d, normal));
     }
@@ -168,15 +170,16 @@ NOOK_APART static void consider_segment(nearest *n, const nook_closest *q, const
 static void found(nook_closest *q, uint32_t t, const nearest *n, uint32_t k, bool crosses) {
     float square = crosses ? 0 : nook_lane(n->square, k), far = nook_sqrt(square) + q->margin,
           length = 1.0f / q->scale;
+    nook_point p = nook_make(nook_lane(n->point.x, k), nook_lane(n->point.y, k), nook_lane(n->point.z, k));
     if (square > q->square || (square == q->square && t > q->triangle)) return;
     q->triangle = t;
     q->square = square;
     q->reach = far * far;
     q->crosses = crosses;
     q->at = nook_lane(n->at, k);
-    q->point =
-        nook_make(q->a.x + length * nook_lane(n->point.x, k), q->a.y + length * nook_lane(n->point.y, k),
-                  q->a.z + length * nook_lane(n->point.z, k));
+    q->point = nook_make(q->a.x + length * p.x, q->a.y + length * p.y, q->a.z + length * p.z);
+    if (NOOK_LANES > 1 && !q->is_segment)
+        q->b = nook_scaled(p, square > 0x1p-100f ? (1.0f - 0x1p-20f) / nook_sqrt(square) : 0);
 }
 
 /* ---- leaves --------------------------------------------------------------------------------------- */
@@ -191,6 +194,14 @@ static inline nook_lanes square_of_boxes(const nook_closest *q, const nook_vecto
     return nook_vectors_dot(off, off);
 }
 
+/* The same by how far the triangles are at least along a line: that from the point to the nearest one seen tells most. */
+static inline nook_lanes square_toward(const nook_closest *q, const nook_vectors p[3]) {
+    nook_vectors w = nook_vectors_of(q->b);
+    nook_vectors along = {nook_vectors_dot(p[0], w), nook_vectors_dot(p[1], w), nook_vectors_dot(p[2], w)};
+    nook_lanes on = nook_larger(nook_least(along) - nook_lanes_of(q->margin), nook_lanes_of(0));
+    return on * on;
+}
+
 static bool is_crossed(const nook_closest *q, uint32_t t) {
     const nook_point *const segment[3] = {&q->a, &q->b, &q->b}, *p[3];
     nook_corners_of(q->bvh, t, p);
@@ -201,23 +212,24 @@ static bool is_crossed(const nook_closest *q, uint32_t t) {
 NOOK_APART static bool measure(const nook_closest *q, uint32_t place, uint32_t t[NOOK_LANES], nearest *n,
                                uint32_t *crossed) {
     nook_vectors p[3], a = nook_vectors_of(q->a), zero = nook_vectors_of(nook_make(0, 0, 0));
-    nook_lanes boxes = zero.x;
+    nook_lanes boxes;
     uint32_t i;
     nook_some x;
-    n->at = boxes, n->square = nook_lanes_of(0x1p127f);
+    n->at = zero.x, n->square = nook_lanes_of(0x1p127f);
     *crossed = 0;
     if (!nook_gather(q->bvh, place, &x)) return false;
-    for (i = 0; i < 3u; i++) p[i] = nook_vectors_scaled(nook_vectors_sub(x.p[i], a), q->scale);
+    for (i = 0; i < 3u; i++)
+        p[i] = nook_vectors_scaled(nook_vectors_sub(nook_some_corners(&x, i), a), q->scale);
     n->point = p[0];
     memcpy(t, x.t, sizeof x.t);
-    if (NOOK_LANES == 1 || q->is_segment)
-        boxes = square_of_boxes(q, p); /* else no cheaper than the triangles */
+    /* Boxes of triangles side by side are no cheaper than those, and one by one not so dear that a direction would pay. */
+    boxes = NOOK_LANES == 1 || q->is_segment ? square_of_boxes(q, p) : square_toward(q, p);
     if (!nook_any_flag(boxes <= nook_lanes_of(q->reach))) return true;
     if (q->is_segment) {
         consider_segment(n, q, p);
         *crossed = nook_bits(boxes <= zero.x);
     } else {
-        consider_triangles(n, p, zero, n->at);
+        *n = of_triangles(p, zero);
     }
     return true;
 }
@@ -263,7 +275,7 @@ static void begin_anywhere(nook_closest *q) {
 }
 
 static nook_status conclude(nook_closest *q, nook_status status) {
-    float pending = nook_sqrt(nook_descent_least(&q->descent, q->bvh, 0x1p127f)) * (1.0f - 0x1p-20f);
+    float pending = nook_sqrt(nook_descent_least(&q->descent, 0x1p127f)) * (1.0f - 0x1p-20f);
     float distance = nook_sqrt(q->square), length = 1.0f / q->scale;
     float margin = q->crosses ? 0 : q->margin, known = distance > margin ? distance - margin : 0;
     q->distance = distance * length;
@@ -293,6 +305,7 @@ nook_status nook_closest_begin(nook_closest *q, const nook_bvh *bvh, nook_point 
     q->square = limit * limit;
     q->reach = (limit + q->margin) * (limit + q->margin);
     nook_descent_begin(&q->descent, bvh);
+    if (NOOK_LANES > 1 && !q->is_segment) q->b = nook_make(0, 0, 0);
     begin_anywhere(q);
     return conclude(q, NOOK_OK);
 }
@@ -300,13 +313,15 @@ nook_status nook_closest_begin(nook_closest *q, const nook_bvh *bvh, nook_point 
 nook_status nook_closest_step(nook_closest *q, uint32_t *units) {
     const around s = {nook_vectors_of(q->low), nook_vectors_of(q->high), nook_vectors_of(q->width)};
     nook_descent *d = &q->descent;
-    while (nook_descent_next(d, q->bvh->places, nook_limit(q->reach))) {
+    uint32_t limit = nook_limit(q->reach);
+    while (nook_descent_next(d, q->bvh->places, limit)) {
         if (q->enough > 0 && q->distance_max <= q->enough) break;
         if (*units == 0) return conclude(q, NOOK_MORE);
         --*units;
         if (d->level != 0) {
             visit_group(q, &s);
         } else if (visit_leaf(q)) {
+            limit = nook_limit(q->reach);
             if (q->enough > 0) (void)conclude(q, NOOK_OK);
         } else {
             return conclude(q, NOOK_INDEX_OUT_OF_RANGE);

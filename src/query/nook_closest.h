@@ -23,7 +23,7 @@ typedef struct nook_closest {
         distance_max; /* of the mesh from the segment. Without a triangle distance_min is the limit, but for rounding */
 
     const nook_bvh *bvh;
-    nook_point a, b;
+    nook_point a, b; /* of a point, b may be the way to the nearest seen, of length 1 or less */
     bool is_segment, crosses;
     float enough;
     float scale;          /* a power of two that brings lengths near 1, so that squares stay in range */

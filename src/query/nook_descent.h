@@ -7,18 +7,18 @@
 #ifndef NOOK_DESCENT_H
 #define NOOK_DESCENT_H
 
+#include "exact/nook_exact.h"
 #include "query/nook_bvh.h"
 
-#define NOOK_BVH_LEVELS (NOOK_INDEX_BITS == 16 ? 7 : 14)
 #define NOOK_UP 0u /* no entry */
 
 typedef struct nook_descent {
     uint32_t node; /* a group, or at level 0 a leaf */
-    uint32_t base; /* where the groups of its level begin */
-    uint16_t level;
-    uint16_t now; /* the entry of the node, until it has been looked at; then NOOK_UP */
-    /* Of the groups from this one up, by level: four entries, the largest in the lowest bits; those left, then NOOK_UP. */
-    uint32_t rest[NOOK_BVH_LEVELS + 1][2];
+    uint32_t level;
+    uint32_t now;  /* the entry of the node, until it has been looked at; then NOOK_UP */
+    uint32_t open; /* bit l: of the group on level l that is this one or one above it, children are left */
+    /* The entries of those, the largest in the lowest bits, then NOOK_UP; from level 1 on. */
+    uint32_t rest[NOOK_BVH_LEVELS][2];
 } nook_descent;
 
 static inline uint32_t nook_groups_of_level(uint32_t places, uint32_t level) {
@@ -38,53 +38,47 @@ static inline uint32_t nook_limit(float bound) {
 
 /* At the root, which is still to be looked at. */
 static inline void nook_descent_begin(nook_descent *d, const nook_bvh *bvh) {
-    d->node = 0;
-    d->base = bvh->root;
-    d->level = (uint16_t)bvh->levels;
-    d->now = (uint16_t)nook_entry(0, 0);
+    d->node = d->open = 0;
+    d->level = bvh->levels;
+    d->now = nook_entry(0, 0);
 }
 
 /* Down to a child of the group, if there is one. */
-static inline void nook_descent_down(nook_descent *d, uint32_t places, uint32_t child, uint32_t entry) {
+static inline bool nook_descent_down(nook_descent *d, uint32_t places, uint32_t child, uint32_t entry) {
     uint32_t node = 4u * d->node + child;
-    if (node << 2u * d->level >= places) return; /* boxes of any bits */
+    if (node << 2u * d->level >= places) return false; /* boxes of any bits */
     d->node = node;
-    d->base -= nook_groups_of_level(places, --d->level);
-    d->now = (uint16_t)entry;
+    d->level--;
+    d->now = entry;
+    return true;
 }
 
 /* On to the next node whose entry is above limit, unless this one has not been looked at; false if there is none. */
 static inline bool nook_descent_next(nook_descent *d, uint32_t places, uint32_t limit) {
-    while (d->now == NOOK_UP) {
-        uint32_t *rest = d->rest[d->level], first = rest[0], second = rest[1], entry = first & 0xFFFFu;
-        if (entry > limit) {
-            rest[0] = first >> 16 | second << 16;
-            rest[1] = second >> 16;
-            nook_descent_down(d, places, ~entry & 3u, entry);
-        } else { /* nor is any other of this group */
-            uint32_t groups = nook_groups_of_level(places, d->level);
-            if (groups == 1u && d->level != 0) return false; /* the root */
-            d->base += groups;
-            d->node >>= 2;
-            d->level++;
-        }
+    if (d->now != NOOK_UP) return true;
+    while (d->open != 0) {
+        uint32_t *rest, entry;
+        for (; (d->open >> d->level & 1u) == 0; d->level++) d->node >>= 2u;
+        rest = d->rest[d->level - 1u];
+        entry = rest[0] & 0xFFFFu;
+        rest[0] = rest[0] >> 16 | rest[1] << 16;
+        rest[1] >>= 16;
+        if (entry <= limit || (rest[0] & 0xFFFFu) == NOOK_UP) d->open &= d->open - 1u; /* nor is any other */
+        if (entry > limit && nook_descent_down(d, places, ~entry & 3u, entry)) return true;
     }
-    return true;
+    return false;
 }
 
 /* What the node is: a group of boxes, unless it is a leaf. */
 static inline const nook_boxes *nook_descent_boxes(const nook_descent *d, const nook_bvh *bvh) {
-    return &bvh->boxes[d->base + d->node];
+    return &bvh->boxes[bvh->base[d->level] + d->node];
 }
 
 /* The node has been looked at; it is a leaf, or no child of it matters. */
-static inline void nook_descent_leave(nook_descent *d) {
-    d->rest[d->level][0] = d->rest[d->level][1] = 0;
-    d->now = NOOK_UP;
-}
+static inline void nook_descent_leave(nook_descent *d) { d->now = NOOK_UP; }
 
 /* The least that can still be found, or bound if that is less. */
-float nook_descent_least(const nook_descent *d, const nook_bvh *bvh, float bound);
+float nook_descent_least(const nook_descent *d, float bound);
 
 /* The triangle at a place of the tree. */
 static inline uint32_t nook_triangle_at(const nook_bvh *bvh, uint32_t place) {
@@ -135,7 +129,7 @@ static inline uint32_t nook_cell(const nook_bvh *bvh, float x, uint32_t axis) {
  * a product and a difference with it. */
 static inline float nook_in_cells(const nook_bvh *bvh, float x, uint32_t axis, float *slack) {
     float cell = (x - nook_along(&bvh->origin, axis)) * nook_along(&bvh->cells, axis);
-    *slack = ((float)NOOK_LAST_CELL + (cell < 0 ? -cell : cell)) * 9.53674316e-7f /* 2^-20 */ + bvh->stray;
+    *slack = ((float)NOOK_LAST_CELL + nook_abs(cell)) * 9.53674316e-7f /* 2^-20 */ + bvh->stray;
     return cell;
 }
 

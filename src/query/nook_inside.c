@@ -64,44 +64,37 @@ static void look_at(nook_inside *q, uint32_t t, const nook_point *const p[3], bo
     q->winding += turn * q->sign;
 }
 
-static inline nook_lanes along(const nook_vectors *p, uint32_t axis) { return (&p->x)[axis]; }
-
-/* Which of some triangles the line passes by for certain: one edge on its left, another on its right. */
-static inline nook_flags passed(const nook_inside *q, const nook_vectors p[3]) {
-    nook_flags left = nook_not(nook_all_flags()), right = left;
-    nook_vectors x = nook_vectors_of(q->point), a = nook_vectors_sub(p[2], x), b;
-    uint32_t u = nook_after(q->axis), v = nook_after(u), i;
-    for (i = 0; i < 3u; i++, a = b) {
-        nook_lanes one, other, margin;
-        b = nook_vectors_sub(p[i], x);
-        one = along(&a, u) * along(&b, v), other = along(&a, v) * along(&b, u);
-        margin = (nook_magnitude(one) + nook_magnitude(other)) * nook_lanes_of(0x1p-21f);
-        margin = margin + nook_lanes_of(0x1p-120f);
-        left = left | (one - other > margin);
-        right = right | (other - one > margin);
-    }
-    return left & right;
+/* Which of some triangles, corners as they are along the two other axes, the line passes by for certain: one edge on its
+ * left, another on its right. */
+static inline nook_flags passed(const nook_vectors at[2], const nook_lanes line[2]) {
+    const nook_vectors x = {line[0], line[0], line[0]}, y = {line[1], line[1], line[1]};
+    nook_vectors a = nook_vectors_sub(at[0], x), b = nook_vectors_sub(at[1], y),
+                 edges = nook_vectors_cross(a, b);
+    nook_lanes margin =
+        nook_largest(a) * nook_largest(b) * nook_lanes_of(0x1p-20f) + nook_lanes_of(0x1p-120f);
+    return (nook_least(edges) < -margin) & (nook_most(edges) > margin);
 }
 
 /* Of some triangles, from a place on, those are looked at that lie about the line and are not passed by for certain. */
 static inline bool visit_some(nook_inside *q, uint32_t place) {
     uint32_t nt = q->bvh->view.nt, k, axis = q->axis;
+    nook_vectors at[3];
+    nook_lanes x[3];
     nook_flags about = nook_all_flags(), level = about;
     nook_some some;
     if (!nook_gather(q->bvh, place, &some)) return false;
     for (k = 0; k < 3u; k++) {
-        nook_lanes a, b, c, x;
         nook_flags below, above;
         axis = nook_after(axis); /* the last is that of the line */
-        a = along(&some.p[0], axis), b = along(&some.p[1], axis), c = along(&some.p[2], axis);
-        x = nook_lanes_of(nook_along(&q->point, axis));
-        below = nook_smaller(nook_smaller(a, b), c) <= x;
-        above = nook_larger(nook_larger(a, b), c) >= x;
+        at[k] = nook_some_along(&some, axis);
+        x[k] = nook_lanes_of(nook_along(&q->point, axis));
+        below = nook_least(at[k]) <= x[k];
+        above = nook_most(at[k]) >= x[k];
         level = below & above;
         about = about & (k < 2u ? level : q->sign > 0 ? above : below);
         if (!nook_any_flag(about)) return true;
     }
-    if (NOOK_HAS_FPU) about = about & nook_not(passed(q, some.p));
+    if (NOOK_HAS_FPU) about = about & nook_not(passed(at, x));
     for (k = 0; k < NOOK_LANES && place + k < nt; k++) {
         const nook_point *p[3];
         if (!nook_flag(about, k)) continue;

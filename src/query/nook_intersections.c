@@ -30,26 +30,19 @@ static void begin_leaf(nook_intersections *q) {
 
 /* Some triangles from a place on, beyond the end the last one again; false where order or V name nothing that there is. */
 static bool gather(const nook_bvh *bvh, uint32_t place, nook_several *to) {
-    const nook_point *p[NOOK_LANES][3];
-    const nook_index *v[NOOK_LANES];
-    uint32_t last = bvh->view.nt - 1u, i, k;
-    for (k = 0; k < NOOK_LANES; k++) {
-        uint32_t t = nook_triangle_at(bvh, place + k < last ? place + k : last);
-        if (!nook_points_of(bvh, t, p[k])) return false;
-        v[k] = &bvh->view.V[3u * t];
-    }
+    const nook_index *V = bvh->view.V;
+    nook_some s;
+    uint32_t i;
+    if (!nook_gather(bvh, place, &s)) return false;
     for (i = 0; i < 3u; i++) {
 #if NOOK_LANES > 1
-        const nook_flags name = {(int32_t)v[0][i], (int32_t)v[1][i], (int32_t)v[2][i], (int32_t)v[3][i]};
-        const nook_lanes x = {p[0][i]->x, p[1][i]->x, p[2][i]->x, p[3][i]->x},
-                         y = {p[0][i]->y, p[1][i]->y, p[2][i]->y, p[3][i]->y},
-                         z = {p[0][i]->z, p[1][i]->z, p[2][i]->z, p[3][i]->z};
+        const nook_flags name = {(int32_t)V[3u * s.t[0] + i], (int32_t)V[3u * s.t[1] + i],
+                                 (int32_t)V[3u * s.t[2] + i], (int32_t)V[3u * s.t[3] + i]};
         to->v[i] = name;
-        to->p[i].x = x, to->p[i].y = y, to->p[i].z = z;
 #else
-        to->v[i] = (int32_t)v[0][i];
-        to->p[i] = nook_vectors_of(*p[0][i]);
+        to->v[i] = (int32_t)V[3u * s.t[0] + i];
 #endif
+        to->p[i] = nook_some_corners(&s, i);
     }
     to->low = nook_lowest(to->p);
     to->high = nook_highest(to->p);
@@ -81,7 +74,7 @@ static uint32_t may_meet(const nook_several *a, uint32_t i, const nook_several *
                       (b->high.x >= low.x) & (b->high.y >= low.y) & (b->high.z >= low.z));
     if (some == 0) return 0;
     most = nook_vectors_sub(nook_vectors_larger(high, b->high), nook_vectors_smaller(low, b->low));
-    return still_open(a, i, b, nook_larger(nook_larger(most.x, most.y), most.z), some);
+    return still_open(a, i, b, nook_most(most), some);
 }
 #else
 /* One by one, nook_pair.h is as quick. */

@@ -124,22 +124,17 @@ static inline void nook_sort_entries(uint32_t *a, uint32_t *b) {
 /* The node is a group, and some of its children, those with their bits set, are to be looked at, the largest entry first. */
 static inline void nook_descent_push(nook_descent *d, uint32_t places, uint32_t some,
                                      const uint32_t entry[4]) {
-    uint32_t *rest = d->rest[d->level], child = (some >> 1) - (some >> 3), first = entry[child & 3u];
+    uint32_t *rest = d->rest[d->level - 1u], i = entry[0], j = entry[1], k = entry[2], l = entry[3];
+    nook_sort_entries(&i, &j);
+    nook_sort_entries(&k, &l);
+    nook_sort_entries(&i, &k);
+    nook_sort_entries(&j, &l);
+    nook_sort_entries(&j, &k);
+    rest[0] = j | k << 16;
+    rest[1] = l;
     d->now = NOOK_UP;
-    rest[0] = rest[1] = 0;
-    if ((some & (some - 1u)) != 0) {
-        uint32_t i = entry[0], j = entry[1], k = entry[2], l = entry[3];
-        nook_sort_entries(&i, &j);
-        nook_sort_entries(&k, &l);
-        nook_sort_entries(&i, &k);
-        nook_sort_entries(&j, &l);
-        nook_sort_entries(&j, &k);
-        rest[0] = j | k << 16;
-        rest[1] = l;
-        child = ~i & 3u;
-        first = i;
-    }
-    if (some != 0) nook_descent_down(d, places, child, first);
+    d->open |= (uint32_t)(j != NOOK_UP) << d->level;
+    if (some != 0) (void)nook_descent_down(d, places, ~i & 3u, i);
 }
 
 /* The cells of a box. */
@@ -217,6 +212,9 @@ static inline nook_vectors nook_vectors_cross(nook_vectors a, nook_vectors b) {
     return c;
 }
 
+static inline nook_lanes nook_least(nook_vectors a) { return nook_smaller(nook_smaller(a.x, a.y), a.z); }
+static inline nook_lanes nook_most(nook_vectors a) { return nook_larger(nook_larger(a.x, a.y), a.z); }
+
 static inline nook_lanes nook_largest(nook_vectors a) {
     return nook_larger(nook_larger(nook_magnitude(a.x), nook_magnitude(a.y)), nook_magnitude(a.z));
 }
@@ -229,41 +227,49 @@ static inline nook_vectors nook_highest(const nook_vectors p[3]) {
     return nook_vectors_larger(nook_vectors_larger(p[0], p[1]), p[2]);
 }
 
-/* Points G[v[0]], G[v[1]] ... side by side. */
-static inline nook_vectors nook_vectors_at(const nook_point *G, const uint32_t v[NOOK_LANES]) {
+/* Some triangles, from a place of the tree on, and beyond the end the last one again: first, second and third corners. */
+typedef struct nook_some {
+    uint32_t t[NOOK_LANES];
+    const nook_point *p[3][NOOK_LANES];
+} nook_some;
+
+NOOK_WIDE nook_lanes nook_side_by_side(const nook_point *const p[NOOK_LANES], uint32_t axis) {
 #if NOOK_LANES == 4
-    const nook_point *p = &G[v[0]], *q = &G[v[1]], *r = &G[v[2]], *s = &G[v[3]];
-    nook_vectors all = {{p->x, q->x, r->x, s->x}, {p->y, q->y, r->y, s->y}, {p->z, q->z, r->z, s->z}};
+    nook_lanes all = {nook_along(p[0], axis), nook_along(p[1], axis), nook_along(p[2], axis),
+                      nook_along(p[3], axis)};
     return all;
 #else
-    return nook_vectors_of(G[v[0]]);
+    return nook_along(p[0], axis);
 #endif
 }
 
-/* Some triangles, from a place of the tree on, and beyond the end the last one again: their corners side by side. */
-typedef struct nook_some {
-    uint32_t t[NOOK_LANES];
-    nook_vectors p[3];
-} nook_some;
+/* Corners i. */
+NOOK_WIDE nook_vectors nook_some_corners(const nook_some *s, uint32_t i) {
+    nook_vectors all = {nook_side_by_side(s->p[i], 0), nook_side_by_side(s->p[i], 1),
+                        nook_side_by_side(s->p[i], 2)};
+    return all;
+}
+
+/* Where the three corners are along an axis. */
+NOOK_WIDE nook_vectors nook_some_along(const nook_some *s, uint32_t axis) {
+    nook_vectors all = {nook_side_by_side(s->p[0], axis), nook_side_by_side(s->p[1], axis),
+                        nook_side_by_side(s->p[2], axis)};
+    return all;
+}
 
 /* False where order or V name nothing that there is. */
 static inline bool nook_gather(const nook_bvh *bvh, uint32_t place, nook_some *to) {
     const nook_view *m = &bvh->view;
-    const nook_point *G = m->G;
-    const nook_index *V = m->V;
-    uint32_t nt = m->nt, nv = m->nv, v[3][NOOK_LANES], k;
+    uint32_t last = m->nt - 1u, nv = m->nv, k;
     for (k = 0; k < NOOK_LANES; k++) {
-        uint32_t t = nook_triangle_at(bvh, place + k < nt - 1u ? place + k : nt - 1u);
-        const nook_index *of;
-        if (t >= nt) return false;
-        of = V + 3u * (size_t)t;
-        v[0][k] = of[0], v[1][k] = of[1], v[2][k] = of[2];
-        if (v[0][k] >= nv || v[1][k] >= nv || v[2][k] >= nv) return false;
+        uint32_t t = nook_triangle_at(bvh, place + k < last ? place + k : last);
+        const nook_index *v;
+        if (t > last) return false;
+        v = &m->V[3u * (size_t)t];
+        if (v[0] >= nv || v[1] >= nv || v[2] >= nv) return false;
         to->t[k] = t;
+        to->p[0][k] = &m->G[v[0]], to->p[1][k] = &m->G[v[1]], to->p[2][k] = &m->G[v[2]];
     }
-    to->p[0] = nook_vectors_at(G, v[0]);
-    to->p[1] = nook_vectors_at(G, v[1]);
-    to->p[2] = nook_vectors_at(G, v[2]);
     return true;
 }
 

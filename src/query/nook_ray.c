@@ -15,13 +15,13 @@ static inline nook_point toward(const nook_ray *r) { return nook_scaled(r->direc
 static inline void set_axis(nook_ray *r, uint32_t axis) {
     float slack, origin = nook_in_cells(r->bvh, nook_along(&r->origin, axis), axis, &slack);
     float d = nook_along(&r->direction, axis) * r->unit;
-    float inverse = 1.0f / (d * nook_along(&r->bvh->cells, axis)), low = origin + slack,
-          high = origin - 1.0f - slack;
+    float inverse = 1.0f / (d * nook_along(&r->bvh->cells, axis));
+    float side[2] = {origin + slack, origin - 1.0f - slack};
     if (d != 0 && nook_abs(d) < 0x1p-60f) /* so slow that its cells could underflow: never refused */
-        inverse = 1.0f, low = 0x1p126f, high = -0x1p126f;
+        inverse = 1.0f, side[0] = 0x1p126f, side[1] = -0x1p126f;
     *nook_axis(&r->inverse, axis) = inverse;
-    *nook_axis(&r->near, axis) = inverse < 0 ? high : low;
-    *nook_axis(&r->far, axis) = inverse < 0 ? low : high;
+    *nook_axis(&r->near, axis) = side[inverse < 0];
+    *nook_axis(&r->far, axis) = side[!(inverse < 0)];
 }
 
 /* The part of the ray, from near to far, between the bounds of some children along one axis. */
@@ -55,23 +55,42 @@ static inline void visit_group(nook_ray *r, const slabs *s) {
 
 static bool differ(int a, int b) { return a * b < 0; }
 
-/* How the line passes some triangles: past, where two edges are on different sides by more than rounding can do; out or in
- * through, where all are on one. That settles nearly all; the exact signs settle the rest. */
-typedef struct judgement {
-    nook_flags past, out, in;
-} judgement;
+/* What triangles are held against: the ray seen against its axis, the last of three, and how far it moves along the first two
+ * while it does by 1 along that. */
+typedef struct sight {
+    uint32_t axis[3];
+    float origin[3], shear[2];
+} sight;
 
-static inline judgement judge(const nook_ray *r, const nook_vectors p[3]) {
-    nook_vectors o = nook_vectors_of(r->origin), a = nook_vectors_sub(p[0], o), b = nook_vectors_sub(p[1], o);
-    nook_vectors c = nook_vectors_sub(p[2], o), d = nook_vectors_of(toward(r));
-    nook_lanes ab = nook_vectors_dot(nook_vectors_cross(a, b), d),
-               bc = nook_vectors_dot(nook_vectors_cross(b, c), d);
-    nook_lanes ca = nook_vectors_dot(nook_vectors_cross(c, a), d);
-    nook_lanes far = nook_larger(nook_larger(nook_largest(a), nook_largest(b)), nook_largest(c));
-    nook_lanes margin = far * far * nook_lanes_of(0x1p-17f) + nook_lanes_of(0x1p-120f);
-    nook_lanes least = nook_smaller(nook_smaller(ab, bc), ca), most = nook_larger(nook_larger(ab, bc), ca);
-    judgement j = {(least < -margin) & (most > margin), least > margin, most < -margin};
-    return j;
+static inline sight sight_of(const nook_ray *r) {
+    uint32_t w = r->axis, u = nook_after(w), v = nook_after(u);
+    nook_point o = r->origin, d = r->direction;
+    sight s = {{u, v, w},
+               {nook_along(&o, u), nook_along(&o, v), nook_along(&o, w)},
+               {nook_along(&d, u) / nook_along(&d, w), nook_along(&d, v) / nook_along(&d, w)}};
+    return s;
+}
+
+/* The three corners of some triangles along axis i of those, from the origin on. */
+NOOK_WIDE nook_vectors seen(const sight *s, const nook_some *some, uint32_t i) {
+    float o = s->origin[i];
+    return nook_vectors_sub(nook_some_along(some, s->axis[i]), nook_vectors_of(nook_make(o, o, o)));
+}
+
+/* How the line passes some triangles: past, where two edges are on different sides by more than rounding can do; through,
+ * where all are on its left, or right, seen against the axis. That settles nearly all; the exact signs settle the rest.
+ * Where the line is at the height of a corner it is x, y off, which may be off by E = 2^-22 far; so an edge by 5 off E + 2 E^2. */
+static inline uint32_t judge(const sight *s, const nook_some *some, uint32_t *left, uint32_t *right) {
+    nook_vectors z = seen(s, some, 2),
+                 x = nook_vectors_sub(seen(s, some, 0), nook_vectors_scaled(z, s->shear[0])),
+                 y = nook_vectors_sub(seen(s, some, 1), nook_vectors_scaled(z, s->shear[1])),
+                 edges = nook_vectors_cross(x, y);
+    nook_lanes off = nook_larger(nook_largest(x), nook_largest(y)), far = off + nook_largest(z), margin;
+    nook_lanes least = nook_least(edges), most = nook_most(edges);
+    margin = (off + far * nook_lanes_of(0x1p-21f)) * far * nook_lanes_of(0x1p-18f) + nook_lanes_of(0x1p-120f);
+    *left = nook_bits(least > margin);
+    *right = nook_bits(most < -margin);
+    return nook_bits(nook_not((least < -margin) & (most > margin)));
 }
 
 /* Whether the line goes through the triangle or touches it, exactly: it passes all edges on one side, of which turn is the
@@ -247,22 +266,20 @@ static void count(nook_ray *r, const nook_point *const p[3]) {
 }
 
 /* Some triangles from a place on: those that there are and that are not missed for certain are looked at. */
-static inline bool visit_some(nook_ray *r, uint32_t place) {
-    uint32_t rest = r->bvh->view.nt - place, some, out, in, k;
+static inline bool visit_some(nook_ray *r, const sight *s, uint32_t place) {
+    uint32_t rest = r->bvh->view.nt - place, some = (1u << NOOK_LANES) - 1u, left = 0, right = 0, k;
+    int turn = nook_along(&r->direction, r->axis) > 0 ? 1 : -1;
     const nook_point *p[3];
     nook_some x;
-    judgement j;
-    memset(&j, 0, sizeof j);
     if (!nook_gather(r->bvh, place, &x)) return false;
-    if (NOOK_HAS_FPU) j = judge(r, x.p);
-    some = ~nook_bits(j.past), out = nook_bits(j.out), in = nook_bits(j.in);
-    for (k = 0; k < NOOK_LANES && k < rest; k++) {
+    if (NOOK_HAS_FPU) some = judge(s, &x, &left, &right);
+    for (k = 0; some >> k != 0 && k < rest; k++) {
         if ((some >> k & 1u) == 0) continue;
         nook_corners_of(r->bvh, x.t[k], p);
         if (r->kind == NOOK_CROSSINGS) {
             count(r, p);
-        } else if (((out | in) >> k & 1u) != 0) {
-            go_through(r, x.t[k], p, (out >> k & 1u) != 0 ? 1 : -1);
+        } else if (((left | right) >> k & 1u) != 0) {
+            go_through(r, x.t[k], p, (left >> k & 1u) != 0 ? turn : -turn);
         } else {
             look_at(r, x.t[k], p);
         }
@@ -270,10 +287,10 @@ static inline bool visit_some(nook_ray *r, uint32_t place) {
     return true;
 }
 
-static bool visit_leaf(nook_ray *r) {
+static bool visit_leaf(nook_ray *r, const sight *s) {
     uint32_t place = 4u * r->descent.node, end = place + 4u, nt = r->bvh->view.nt;
     for (; place < end && place < nt; place += NOOK_LANES) {
-        if (!visit_some(r, place)) return false;
+        if (!visit_some(r, s, place)) return false;
     }
     nook_descent_leave(&r->descent);
     return true;
@@ -282,17 +299,15 @@ static bool visit_leaf(nook_ray *r) {
 /* ---- asking --------------------------------------------------------------------------------------- */
 
 static bool is_direction(nook_point d) {
-    float sum = (d.x < 0 ? -d.x : d.x) + (d.y < 0 ? -d.y : d.y) + (d.z < 0 ? -d.z : d.z);
+    float sum = nook_abs(d.x) + nook_abs(d.y) + nook_abs(d.z);
     return sum > 0 && d.x - d.x == 0 && d.y - d.y == 0 && d.z - d.z == 0;
 }
 
 static void set_direction(nook_ray *r) {
     nook_point d = r->direction;
-    float x = d.x < 0 ? -d.x : d.x, y = d.y < 0 ? -d.y : d.y, z = d.z < 0 ? -d.z : d.z;
-    float most = x > y ? x : y;
-    r->axis = x >= y ? 0 : 1u;
-    if (z > most) most = z, r->axis = 2;
-    r->unit = nook_power_of_two(254u - nook_exponent(most));
+    float x = nook_abs(d.x), y = nook_abs(d.y), z = nook_abs(d.z), most = x > y ? x : y;
+    r->axis = z > most ? 2u : x < y;
+    r->unit = nook_power_of_two(254u - nook_exponent(z > most ? z : most));
 }
 
 nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, nook_point direction,
@@ -303,8 +318,8 @@ nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, 
     status = nook_point_status(origin);
     if (status != NOOK_OK) return status;
     if (!is_direction(direction)) return NOOK_NOT_FINITE;
-    memset(r, 0, offsetof(nook_ray, descent));
     r->triangle = NOOK_NONE;
+    r->t_min = 0, r->crossings = 0, r->winding = 0;
     r->bvh = bvh;
     r->kind = kind;
     r->origin = origin;
@@ -321,22 +336,27 @@ nook_status nook_ray_begin(nook_ray *r, const nook_bvh *bvh, nook_point origin, 
 /* What is known: nothing is hit before t_min. */
 static nook_status conclude(nook_ray *r, nook_status status) {
     if (r->triangle != NOOK_NONE) r->t = r->best * r->unit;
-    r->t_min = nook_descent_least(&r->descent, r->bvh, r->best) * r->unit;
+    r->t_min = nook_descent_least(&r->descent, r->best) * r->unit;
     if (r->t_min > r->t) r->t_min = r->t;
     return status;
 }
 
 nook_status nook_ray_step(nook_ray *r, uint32_t *units) {
-    const slabs s = {nook_vectors_of(r->inverse), nook_vectors_of(r->near),    nook_vectors_of(r->far),
-                     r->inverse.x < 0 ? 12u : 0,  r->inverse.y < 0 ? 16u : 4u, r->inverse.z < 0 ? 20u : 8u};
+    const slabs boxes = {nook_vectors_of(r->inverse), nook_vectors_of(r->near),
+                         nook_vectors_of(r->far),     r->inverse.x < 0 ? 12u : 0,
+                         r->inverse.y < 0 ? 16u : 4u, r->inverse.z < 0 ? 20u : 8u};
+    const sight triangles = sight_of(r);
     nook_descent *d = &r->descent;
-    while (nook_descent_next(d, r->bvh->places, nook_limit(r->reach))) {
+    uint32_t limit = nook_limit(r->reach);
+    while (nook_descent_next(d, r->bvh->places, limit)) {
         if (r->kind == NOOK_ANY && r->triangle != NOOK_NONE) break;
         if (*units == 0) return conclude(r, NOOK_MORE);
         --*units;
         if (d->level != 0) {
-            visit_group(r, &s);
-        } else if (!visit_leaf(r)) {
+            visit_group(r, &boxes);
+        } else if (visit_leaf(r, &triangles)) {
+            limit = nook_limit(r->reach);
+        } else {
             return conclude(r, NOOK_INDEX_OUT_OF_RANGE);
         }
     }
