@@ -11,9 +11,9 @@ import pathlib, re, sys
 # follows them, took 200 lines of edit.
 # query answers within budgets, exactly, also in planes and on edges, for triangles without area too, and four boxes or triangles
 # at a time where the core can: that is the half of its lines, and part 7 will need to find room or make it.
-# shape: hull 360, levels of detail 270, solids oriented by nesting 330, simplification with a true bound, outside, three floats in a register, 640, smoothing 200.
+# shape: hull 360, levels of detail 270, solids oriented by nesting 330, simplification with a true bound, outside, three floats in a register, 660, smoothing 200.
 # walk was planned at 500 for rings and relations; trees with their loops are 180 of its lines, normals 150.
-CEILINGS = {'core': 540, 'exact': 430, 'ingest': 450, 'table': 1650, 'walk': 870, 'edit': 1740, 'shape': 1830, 'query': 2180,
+CEILINGS = {'core': 540, 'exact': 430, 'ingest': 450, 'table': 1650, 'walk': 870, 'edit': 1740, 'shape': 1850, 'query': 2180,
             'pack': 900, 'robot': 400}
 
 
