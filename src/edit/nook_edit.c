@@ -95,7 +95,6 @@ bool nook_move_turns_fan(const nook_mesh *m, uint32_t c, const nook_move *move, 
     nook_view view = nook_view_of(m);
     nook_star star;
     uint32_t x, t;
-    if (edit == NULL || !edit->no_turn) return false;
     (void)nook_star_begin(&star, &view, c, false);
     while ((x = nook_star_next(&star)) != NOOK_NONE) {
         t = nook_triangle(x);

@@ -381,7 +381,7 @@ static uint32_t easiest(const nook_simplify_state *s, const nook_edge_ring *r, f
 
 /* Until it is looked at from both ends, an edge is taken to cost half of what it would if C went all the way to B. */
 NOOK_APART static void draw(nook_simplify_state *s) {
-    nook_edge_ring r;
+    nook_edge_ring r = {0};
     uint32_t c = draw_corner(s);
     float cost;
     nook_status status = gather(&r, s, c, 1);
