@@ -35,7 +35,7 @@
  * one-call queries, nook_orient_shells, nook_levels and other edits that move a point, 740 for a step of nook_closest, 690 for those
  * of other queries and for one-call nook_check and nook_smooth, 600 for one-call nook_orient and nook_hull, 530 for normals, 510 for
  * a step of nook_smooth, 500 for one-call nook_link, 460 for a step of check and for the STL and number parsers, 440 for a step of
- * geometry, 410 and less for all others; and with a nook_guard 1,250 for an edit, 1,410 for nook_fill and 1,440 for nook_simplify.
+ * geometry, 410 and less for all others; and with a nook_guard 1,250 for an edit, 1,410 for nook_fill and 1,370 for nook_simplify.
  * `make stack` prints it function by function.
  *
  * Numbers. float32 only; the same bits on every core (build with -ffp-contract=off and without

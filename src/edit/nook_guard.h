@@ -13,7 +13,7 @@
  * triangles stand as they stand, best in the order of a tree (nook_reorder). Edits widen boxes and never shrink them: refit from
  * time to time, and when triangles have left the box that the mesh had, for from then on rays and distances are slow.
  * Memory: 2 bytes a triangle of max_nt (4 with 32-bit indices). Stack: an edit with a guard takes up to 1,250 bytes, nook_fill_hole()
- * 1,410 and nook_simplify() 1,440. A collapse at valence 6 in a mesh of 300 triangles is 140,000 instructions on M4F and 750,000 on
+ * 1,410 and nook_simplify() 1,370. A collapse at valence 6 in a mesh of 300 triangles is 140,000 instructions on M4F and 750,000 on
  * M0. */
 #ifndef NOOK_GUARD_H
 #define NOOK_GUARD_H

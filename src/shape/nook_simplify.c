@@ -11,7 +11,7 @@
 enum { LOOK, DRAW, SWEEP, DONE };
 enum {
     FRESH = 2,     /* vertices looked at for an edge that goes */
-    PATIENCE = 40, /* and more of them at most */
+    PATIENCE = 24, /* and more of them at most */
     LONG = 64,     /* steps since the last collapse */
     HELD = 24      /* corners around an edge where the vertex must be held outside */
 };
@@ -333,7 +333,7 @@ static bool try_edge(nook_simplify_state *s, uint32_t c, const choice *to, nook_
     if (status == NOOK_OK) status = collapse(s, c, to);
     if (status == NOOK_OK) {
         s->usual *= to->cost > s->usual ? 1.125f : 0.96875f;
-        if (s->usual == 0) s->usual = to->cost;
+        if (s->fresh >= (uint32_t)(FRESH + PATIENCE)) s->usual = more(s->usual, 0.25f * to->cost);
         s->idle = s->fresh = 0;
         return true;
     }

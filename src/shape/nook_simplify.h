@@ -89,10 +89,11 @@ typedef struct nook_simplify_state {
  *   NOOK_NO_CAPACITY         the record is full
  *   NOOK_BAD_OPPOSITE, NOOK_INDEX_OUT_OF_RANGE  the tables do not hold
  * An inner edge takes two triangles with it, one at a border one: what is reached is goal->triangles, or one less.
- * Steps: nv, and then about 4 for each collapse; between two collapses never more than 11 nt + 1,000. A step is one vertex or edge
- * looked at, at most one edge collapsed: at most 6,000 instructions on M4F and 140,000 on M0 on meshes as they are, 17,000 and
- * 520,000 with deviation, 100,000 and 3,500,000 outside. With all the corners around an edge that there may be, 21,000 and
- * 400,000, with deviation 75,000 and 2,300,000, and outside 120,000 and 5,300,000, where floats decide. */
+ * Steps: nv, and then about 4 for each collapse of a smooth mesh; up to 28 where edges cost more than those before, and, with
+ * deviation, 65 more for each time that more is allowed; between two collapses never more than 11 nt + 1,000. A step is one vertex
+ * or edge looked at, at most one edge collapsed: at most 5,000 instructions on M4F and 120,000 on M0 on meshes as they are, 17,000
+ * and 600,000 with deviation, 82,000 and 3,400,000 outside. With all the corners around an edge that there may be, 21,000 and
+ * 400,000, with deviation 75,000 and 2,300,000, and outside 112,000 and 5,300,000, where floats decide. */
 nook_status nook_simplify_begin(nook_simplify_state *state, nook_mesh *mesh, const nook_simplify_goal *goal,
                                 const nook_edit *edit);
 nook_status nook_simplify_step(nook_simplify_state *state, uint32_t *units);
