@@ -31,7 +31,7 @@
  * else may write the tables or the marks, and results say nothing before NOOK_OK, but for queries, which hold bounds
  * at any time. A weld or link that is given up leaves the tables half done.
  * Each header says what a unit is and the most instructions it costs. States are at most 256 bytes. Nothing
- * recurses. The worst stack, helpers of the compiler included, is about 1,020 bytes on Cortex-M0 (980 on M4F) for nook_simplify, 820 for
+ * recurses. The worst stack, helpers of the compiler included, is about 960 bytes on Cortex-M0 (930 on M4F) for nook_simplify, 820 for
  * one-call queries, nook_orient_shells, nook_levels and other edits that move a point, 740 for a step of nook_closest, 690 for those
  * of other queries and for one-call nook_check and nook_smooth, 600 for one-call nook_orient and nook_hull, 530 for normals, 510 for
  * a step of nook_smooth, 500 for one-call nook_link, 460 for a step of check and for the STL and number parsers, 440 for a step of
