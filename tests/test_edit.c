@@ -476,6 +476,23 @@ static void spoiled_tables_are_refused(void) {
     }
 }
 
+/* Turning about the last vertex runs into a circle that its corner in C is not on, when it takes the number of a vertex of no
+ * triangle, as C says. */
+static void a_fan_that_never_comes_round_is_left(void) {
+    nook_view view;
+    uint32_t x, y;
+    CHECK(begin_whole(4));
+    view = nook_view_of(&b.mesh);
+    x = nook_turn(&view, b.mesh.C[b.mesh.nv - 1u], false);
+    y = nook_turn(&view, x, false);
+    CHECK(y != NOOK_NONE && y != b.mesh.C[b.mesh.nv - 1u]);
+    b.mesh.O[nook_next(y)] = nook_store(nook_prev(x));
+    b.mesh.C[0] = NOOK_STORED_NONE;
+    x = b.mesh.nv - 1u;
+    CHECK_EQUAL(nook_remove_vertex(&b.mesh, 0, NULL), NOOK_OK);
+    CHECK_EQUAL(b.mesh.nv, x);
+}
+
 /* Any entry of any table another one: whatever the operators say, they end, and write nothing when they refuse. */
 enum { OPERATORS = 17 };
 static nook_status edit_anyhow(uint32_t what, uint32_t c) {
@@ -596,6 +613,7 @@ static const test tests[] = {
     TEST(thousands_of_mixed_edits_keep_a_mesh_whole),
     TEST(a_thousand_edits_have_one_digest_on_all_machines),
     TEST(spoiled_tables_are_refused),
+    TEST(a_fan_that_never_comes_round_is_left),
     TEST(any_spoiled_entry_ends_well),
 };
 
