@@ -110,7 +110,7 @@ static bool cuts_itself(const nook_mesh *m) {
 }
 
 /* Collapses spoil the order of triangles, which makes a guard slow; so it is built anew after each fortieth of them. */
-static nook_status simplify_guarded(nook_mesh *m, const nook_simplify_goal *goal, bool guarded) {
+static nook_status simplify_by_steps(nook_mesh *m, const nook_simplify_goal *goal, bool guarded) {
     nook_simplify_state state;
     nook_guard guard;
     nook_edit edit;
@@ -139,7 +139,7 @@ static nook_status simplify(nook_mesh *m, nook_simplify_goal *goal, bool guarded
     uint32_t v;
     goal->deviation = take(m->max_nv, sizeof *goal->deviation);
     for (v = 0; v < m->nv; v++) goal->deviation[v] = 0;
-    status = simplify_guarded(m, goal, guarded && !cuts_itself(m));
+    status = simplify_by_steps(m, goal, guarded && !cuts_itself(m));
     for (*most = 0, v = 0; v < m->nv; v++) {
         if (goal->deviation[v] > *most) *most = goal->deviation[v];
     }

@@ -176,7 +176,7 @@ static void every_slicing_gives_the_same(void) {
     goal.triangles = 20;
     all = slice(1000000, NOOK_OK);
     whole = digest();
-    CHECK(all < 66 + 60 * 28);
+    CHECK(all < 66 + 60 * 10);
     for (units = 1; units < 40; units += SMALL ? 30 : 6) {
         restore();
         CHECK_EQUAL(slice(units, NOOK_OK), all);

@@ -145,7 +145,8 @@ NOOK_APART static nook_status stitch_conditions(const nook_mesh *m, const seam *
         uint32_t c = end == 0 ? s->b : s->e, d = end == 0 ? s->b2 : s->e2;
         if (edit == NULL || m->V[c] == m->V[d]) continue;
         if (!nook_has_room(&view, c, nook_count_fan(&view, d, edit), edit)) return NOOK_TOO_MANY_TRIANGLES;
-        if (nook_move_turns_fan(m, d, &move, NOOK_NONE, NOOK_NONE, edit)) return NOOK_TURNED_TRIANGLE;
+        if (edit->no_turn && nook_move_turns_fan(m, d, &move, NOOK_NONE, NOOK_NONE, edit))
+            return NOOK_TURNED_TRIANGLE;
     }
     return NOOK_OK;
 }

@@ -78,7 +78,7 @@ static inline nook_levels nook_levels_of(const nook_vertex_split *split, uint32_
 /* nook_collapse(), recorded: levels beyond the present one are forgotten. Its statuses, and
  *   NOOK_NO_CAPACITY         the record is full, or not to be written
  *   NOOK_TOO_MANY_TRIANGLES  v(n(c)) would leave C more than 4,094 triangles; name the edge from its other side
- * Steps: those of nook_collapse(), and the triangles of v(n(c)). At valence 6 3,600 instructions on M4F, 4,600 on M0. */
+ * Steps: those of nook_collapse(), and the triangles of v(n(c)). At valence 6 2,600 instructions on M4F, 3,400 on M0. */
 nook_status nook_levels_collapse(nook_levels *levels, nook_mesh *mesh, uint32_t c, nook_point at,
                                  const nook_edit *edit);
 
@@ -87,12 +87,12 @@ nook_status nook_levels_collapse(nook_levels *levels, nook_mesh *mesh, uint32_t 
  *   NOOK_NO_CAPACITY         the arrays of the mesh are full
  *   NOOK_BAD_OPPOSITE        the record is not of this mesh at this level: its corners do not fit, or C is not at its place
  *   NOOK_NOT_FINITE, NOOK_COORDINATE_TOO_LARGE  a point of the record
- * Steps: the triangles of B and C, those of two triangles and a vertex that get their numbers back. At valence 6 2,400
- * instructions on M4F, 3,400 on M0. */
+ * Steps: the triangles of B and C, those of two triangles and a vertex that get their numbers back. At valence 6 2,000
+ * instructions on M4F, 3,000 on M0. */
 nook_status nook_levels_refine(nook_levels *levels, nook_mesh *mesh, const nook_edit *edit);
 
 /* One level coarser: the collapse that was recorded, once more. Statuses as above, and those of nook_collapse(), which asks
- * edit's conditions again. At valence 6 3,400 instructions on M4F, 4,600 on M0. */
+ * edit's conditions again. At valence 6 2,200 instructions on M4F, 3,100 on M0. */
 nook_status nook_levels_coarsen(nook_levels *levels, nook_mesh *mesh, const nook_edit *edit);
 
 /* Go to the finest level of at most nt triangles, or as near as the record goes; a unit is one of the two above. There is no

@@ -7,7 +7,7 @@
 
 enum { NOOK_RING_MOST = 44 }; /* corners around an edge */
 
-/* The sum of squared volumes, or areas, as a function of the place: x A x, about a vertex. */
+/* The sum of squared distances from planes, times areas, as a function of the place: x A x, about a vertex. */
 typedef struct nook_quadric {
     nook_triple square, mixed; /* of A: xx yy zz, xy yz zx */
 } nook_quadric;

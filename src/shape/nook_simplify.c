@@ -12,7 +12,7 @@ enum { LOOK, DRAW, SWEEP, DONE };
 enum {
     FRESH = 2,     /* vertices looked at for an edge that goes */
     PATIENCE = 24, /* and more of them at most */
-    LONG = 64,     /* steps since the last collapse */
+    LONG = 64,     /* steps without a collapse */
     HELD = 24      /* corners around an edge where the vertex must be held outside */
 };
 #define ROUND                                                                                                \
@@ -423,8 +423,8 @@ static void sweep(nook_simplify_state *s) {
 /* How many vertices must be drawn before the best of the pool goes: more, where that costs four times the usual. */
 static uint32_t enough(const nook_simplify_state *s) {
     uint32_t best = nook_exponent(s->pool[s->pooled - 1u].cost), usual = nook_exponent(s->usual) + 2u,
-             more = best > usual ? 4u * (best - usual) : 0;
-    return FRESH + (more < (uint32_t)PATIENCE ? more : (uint32_t)PATIENCE);
+             longer = best > usual ? 4u * (best - usual) : 0;
+    return FRESH + (longer < (uint32_t)PATIENCE ? longer : (uint32_t)PATIENCE);
 }
 
 static void allow(nook_simplify_state *s, float deviation) {
@@ -484,7 +484,6 @@ nook_status nook_simplify_begin(nook_simplify_state *s, nook_mesh *mesh, const n
     s->goal = goal;
     s->edit = edit;
     s->dice = 0x9E3779B9u;
-
     return NOOK_OK;
 }
 

@@ -12,8 +12,6 @@
  *     nook_simplify_goal goal = {.triangles = 500};
  *     status = nook_simplify(&state, &mesh, &goal, NULL);           linked, and by nook_check() manifold and oriented
  *
- * What moves the surface least does not go first by itself. Where deviation counts, begin with a small error, simplify, and double it
- * whenever little more goes, until there are few enough: the largest deviation comes out up to sixty times smaller.
  * What is beside the mesh is of the mesh as it was: build its tree (nook_bvh) anew, and to check it, link it again.
  * Levels of detail are the same mesh taken to several counts, or with a record (nook_levels.h) any count between, forth and back.
  * What may be asked besides:
